@@ -1,0 +1,9 @@
+#include <rigor/cli/commands.hpp>
+
+#include <rigor/cli/explain.hpp>
+
+namespace rigor::cli {
+
+void add_commands(CLI::App& app, int& exit_status) { add_explain(app, exit_status); }
+
+}  // namespace rigor::cli

@@ -1,0 +1,218 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <rigor/base/suggest.hpp>
+#include <rigor/cli/explain.hpp>
+#include <sstream>
+
+namespace rigor::cli {
+namespace {
+
+bool starts(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  std::istringstream in{std::string(text)};
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// "/// id        impulse.normal" -> "impulse.normal"
+std::string id_in(const std::string& line) {
+  static const std::regex pattern(R"(^\s*/// id\s+([a-z][a-z0-9_]*(\.[a-z0-9_]+)+)\s*$)");
+  std::smatch match;
+  return std::regex_match(line, match, pattern) ? match[1].str() : "";
+}
+
+// The block of /// lines around line `at`, without the marks, and the signature that follows it.
+std::string docstring_around(const std::vector<std::string>& lines, std::size_t at) {
+  const auto doc = [&](std::size_t i) { return starts(lines[i], "///"); };
+  std::size_t first = at, last = at;
+  while (first > 0 && doc(first - 1)) --first;
+  while (last + 1 < lines.size() && doc(last + 1)) ++last;
+  std::string text;
+  for (std::size_t i = first; i <= last; ++i) text += (lines[i].size() > 4 ? lines[i].substr(4) : "") + "\n";
+  text += "\n";
+  for (std::size_t i = last + 1; i < lines.size() && !lines[i].empty(); ++i) {
+    const std::size_t brace = lines[i].find(" {");
+    text += "    " + lines[i].substr(0, brace) + "\n";
+    if (brace != std::string::npos) break;
+  }
+  return text;
+}
+
+// The Markdown section whose heading contains `mark`, up to the next heading of the same or a higher level.
+std::string section(std::string_view markdown, const std::string& mark) {
+  std::string text;
+  std::size_t level = 0;
+  for (const std::string& line : lines_of(markdown)) {
+    const std::size_t hashes = line.find_first_not_of('#');
+    const bool heading = hashes != std::string::npos && hashes > 0 && line[hashes] == ' ';
+    if (level != 0 && heading && hashes <= level) break;
+    if (level == 0 && heading && line.find(mark) != std::string::npos) {
+      level = hashes;
+      continue;
+    }
+    if (level != 0) text += line + "\n";
+  }
+  return text;
+}
+
+// Coq statements under "(*@ TAG *)", up to "Proof."
+std::vector<std::string> statements(std::string_view coq, const std::string& tag) {
+  std::vector<std::string> found;
+  bool inside = false;
+  std::string text;
+  for (const std::string& line : lines_of(coq)) {
+    if (line.find("(*@ " + tag + " *)") != std::string::npos) {
+      inside = true;
+      text.clear();
+      continue;
+    }
+    if (!inside) continue;
+    if (starts(line, "Proof")) {
+      found.push_back(text);
+      inside = false;
+    } else {
+      text += line + "\n";
+    }
+  }
+  return found;
+}
+
+// "// id: a.b, c.d" above a TEST names what it shows.
+std::vector<std::string> tests_of(const Text& file, const std::string& id) {
+  static const std::regex test(R"(^(?:TEST|TEST_F|RC_GTEST_PROP)\((\w+), *(\w+).*)");
+  std::vector<std::string> found;
+  bool tagged = false;
+  for (const std::string& line : lines_of(file.content)) {
+    if (starts(line, "// id:")) {
+      std::istringstream words(line.substr(6));
+      for (std::string word; words >> word;) {
+        word.erase(std::remove(word.begin(), word.end(), ','), word.end());
+        tagged = tagged || word == id;
+      }
+    }
+    std::smatch match;
+    if (std::regex_match(line, match, test)) {
+      if (tagged) found.push_back(std::string(file.path) + ": " + match[1].str() + "." + match[2].str());
+      tagged = false;
+    }
+  }
+  return found;
+}
+
+void append(std::vector<std::string>& to, std::vector<std::string> more) {
+  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+void print_block(const char* title, const std::string& body) {
+  if (body.find_first_not_of(" \n") == std::string::npos) return;
+  std::printf("\n%s\n", title);
+  for (const std::string& line : lines_of(body)) std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
+}
+
+void print(const Explanation& e) {
+  std::printf("%s   (%s)\n\n", e.id.c_str(), e.header.c_str());
+  for (const std::string& line : lines_of(e.docstring)) std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
+  print_block("DERIVATION", e.derivation);
+  for (const std::string& erratum : e.errata) print_block("ERRATUM", erratum);
+  for (const std::string& theorem : e.theorems) print_block("THEOREM (Coq, proofs/coq)", theorem);
+  for (const std::string& bridge : e.bridges) print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge);
+  if (!e.tests.empty()) std::printf("\nEXACT TESTS (rationals, ==)\n");
+  for (const std::string& test : e.tests) std::printf("  %s\n", test.c_str());
+}
+
+// The first sentence of a docstring: what the list shows.
+std::string headline(const std::string& docstring) {
+  const std::size_t end = docstring.find_first_of("\n");
+  std::string line = docstring.substr(0, end);
+  return line.size() > 54 ? line.substr(0, 51) + "..." : line;
+}
+
+}  // namespace
+
+std::vector<std::string> formula_ids(const std::vector<Text>& texts) {
+  std::vector<std::string> ids;
+  for (const Text& text : texts)
+    if (starts(text.path, "src/formulas/"))
+      for (const std::string& line : lines_of(text.content))
+        if (const std::string id = id_in(line); !id.empty()) ids.push_back(id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::optional<Explanation> explain(const std::vector<Text>& texts, const std::string& id) {
+  Explanation e;
+  e.id = id;
+  for (const Text& text : texts) {
+    if (starts(text.path, "src/formulas/")) {
+      const std::vector<std::string> lines = lines_of(text.content);
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (id_in(lines[i]) == id) {
+          e.header = text.path;
+          e.docstring = docstring_around(lines, i);
+        }
+    } else if (starts(text.path, "proofs/coq/")) {
+      append(e.theorems, statements(text.content, id));
+      append(e.bridges, statements(text.content, "bridge " + id));
+    } else if (starts(text.path, "proofs/")) {
+      if (const std::string found = section(text.content, "`" + id + "`"); !found.empty()) e.derivation = found;
+    } else if (starts(text.path, "tests/exact/")) {
+      append(e.tests, tests_of(text, id));
+    }
+  }
+  if (e.header.empty()) return std::nullopt;
+  static const std::regex cited(R"(erratum ([a-z][a-z0-9-]*))");
+  for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited); m != std::sregex_iterator(); ++m)
+    for (const Text& text : texts)
+      if (text.path == "reference/errata.md")
+        if (const std::string found = section(text.content, "`" + (*m)[1].str() + "`"); !found.empty())
+          e.errata.push_back(found);
+  return e;
+}
+
+void add_explain(CLI::App& app, int& exit_status) {
+  struct Options {
+    std::string id;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("explain", "the derivation, theorem, tests and errata of one formula");
+  command->add_option("ID", options->id, "formula id, for example impulse.normal; without it, the list");
+  command->add_flag("--json", options->json, "as JSON");
+  command->footer("Example:  rigor explain impulse.normal");
+  command->callback([options, &exit_status] {
+    const std::vector<std::string> ids = formula_ids(texts());
+    if (options->id.empty()) {
+      nlohmann::json list = nlohmann::json::array();
+      for (const std::string& id : ids) {
+        const std::string line = headline(explain(texts(), id)->docstring);
+        if (options->json) list.push_back({{"id", id}, {"says", line}});
+        else std::printf("%-32s %s\n", id.c_str(), line.c_str());
+      }
+      if (options->json) std::printf("%s\n", list.dump(2).c_str());
+      else std::printf("\n%zu formulas; 'rigor explain ID' shows one\n", ids.size());
+      return;
+    }
+    const std::optional<Explanation> found = explain(texts(), options->id);
+    if (!found) {
+      std::fprintf(stderr, "rigor explain: there is no formula '%s'%s; 'rigor explain' lists them\n",
+                   options->id.c_str(), did_you_mean(options->id, ids).c_str());
+      exit_status = 2;
+      return;
+    }
+    if (!options->json) return print(*found);
+    std::printf("%s\n", nlohmann::json{{"id", found->id}, {"header", found->header}, {"docstring", found->docstring},
+                                       {"derivation", found->derivation}, {"errata", found->errata},
+                                       {"theorems", found->theorems}, {"bridges", found->bridges},
+                                       {"tests", found->tests}}
+                            .dump(2)
+                            .c_str());
+  });
+}
+
+}  // namespace rigor::cli
