@@ -12,11 +12,13 @@
 
 namespace rigor {
 
-/// The whole file as bytes. Faults: unreadable (missing, a directory, no permission, more than `limit` bytes).
+/// The whole file as bytes. Faults: unreadable (missing, a directory, no permission, more than `limit`
+/// bytes).
 inline Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit = 64u << 20) {
   std::error_code ec;
   const auto status = std::filesystem::status(path, ec);
-  if (!std::filesystem::exists(status)) return Fault{Fault::Kind::unreadable, path.string(), "does not exist"};
+  if (!std::filesystem::exists(status))
+    return Fault{Fault::Kind::unreadable, path.string(), "does not exist"};
   if (!std::filesystem::is_regular_file(status))
     return Fault{Fault::Kind::unreadable, path.string(), "is not a regular file"};
   const std::uintmax_t size = std::filesystem::file_size(path, ec);

@@ -17,7 +17,8 @@ inline void catch_interrupts() {
   std::signal(SIGTERM, handler);
 }
 
-/// The signal that asked to stop, or 0. Long loops look here, leave whole files and end with status 128 + signal.
+/// The signal that asked to stop, or 0. Long loops look here, leave whole files and end with status 128 +
+/// signal.
 inline int interrupted() { return detail::interrupt_seen; }
 
 }  // namespace rigor

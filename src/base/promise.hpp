@@ -5,7 +5,8 @@
 
 namespace rigor {
 
-/// Our own promise, checked in every build: prints where and which, then aborts. Never for input from outside.
+/// Our own promise, checked in every build: prints where and which, then aborts. Never for input from
+/// outside.
 inline void promise(bool held, const char* sentence,
                     std::source_location at = std::source_location::current()) {
   if (held) return;

@@ -22,7 +22,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// " (did you mean 'x'?)" for the nearest known word, or "" when none is near (more than a third of it differs).
+/// " (did you mean 'x'?)" for the nearest known word, or "" when none is near (more than a third of it
+/// differs).
 inline std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::string* best = nullptr;
   std::size_t least = 0;

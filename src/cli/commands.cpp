@@ -1,5 +1,4 @@
 #include <rigor/cli/commands.hpp>
-
 #include <rigor/cli/explain.hpp>
 
 namespace rigor::cli {

@@ -112,16 +112,19 @@ void append(std::vector<std::string>& to, std::vector<std::string> more) {
 void print_block(const char* title, const std::string& body) {
   if (body.find_first_not_of(" \n") == std::string::npos) return;
   std::printf("\n%s\n", title);
-  for (const std::string& line : lines_of(body)) std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
+  for (const std::string& line : lines_of(body))
+    std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
 }
 
 void print(const Explanation& e) {
   std::printf("%s   (%s)\n\n", e.id.c_str(), e.header.c_str());
-  for (const std::string& line : lines_of(e.docstring)) std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
+  for (const std::string& line : lines_of(e.docstring))
+    std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
   print_block("DERIVATION", e.derivation);
   for (const std::string& erratum : e.errata) print_block("ERRATUM", erratum);
   for (const std::string& theorem : e.theorems) print_block("THEOREM (Coq, proofs/coq)", theorem);
-  for (const std::string& bridge : e.bridges) print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge);
+  for (const std::string& bridge : e.bridges)
+    print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge);
   if (!e.tests.empty()) std::printf("\nEXACT TESTS (rationals, ==)\n");
   for (const std::string& test : e.tests) std::printf("  %s\n", test.c_str());
 }
@@ -160,14 +163,16 @@ std::optional<Explanation> explain(const std::vector<Text>& texts, const std::st
       append(e.theorems, statements(text.content, id));
       append(e.bridges, statements(text.content, "bridge " + id));
     } else if (starts(text.path, "proofs/")) {
-      if (const std::string found = section(text.content, "`" + id + "`"); !found.empty()) e.derivation = found;
+      if (const std::string found = section(text.content, "`" + id + "`"); !found.empty())
+        e.derivation = found;
     } else if (starts(text.path, "tests/exact/")) {
       append(e.tests, tests_of(text, id));
     }
   }
   if (e.header.empty()) return std::nullopt;
   static const std::regex cited(R"(erratum ([a-z][a-z0-9-]*))");
-  for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited); m != std::sregex_iterator(); ++m)
+  for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited);
+       m != std::sregex_iterator(); ++m)
     for (const Text& text : texts)
       if (text.path == "reference/errata.md")
         if (const std::string found = section(text.content, "`" + (*m)[1].str() + "`"); !found.empty())
@@ -181,7 +186,8 @@ void add_explain(CLI::App& app, int& exit_status) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("explain", "the derivation, theorem, tests and errata of one formula");
+  CLI::App* command =
+      app.add_subcommand("explain", "the derivation, theorem, tests and errata of one formula");
   command->add_option("ID", options->id, "formula id, for example impulse.normal; without it, the list");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor explain impulse.normal");
@@ -191,11 +197,15 @@ void add_explain(CLI::App& app, int& exit_status) {
       nlohmann::json list = nlohmann::json::array();
       for (const std::string& id : ids) {
         const std::string line = headline(explain(texts(), id)->docstring);
-        if (options->json) list.push_back({{"id", id}, {"says", line}});
-        else std::printf("%-32s %s\n", id.c_str(), line.c_str());
+        if (options->json)
+          list.push_back({{"id", id}, {"says", line}});
+        else
+          std::printf("%-32s %s\n", id.c_str(), line.c_str());
       }
-      if (options->json) std::printf("%s\n", list.dump(2).c_str());
-      else std::printf("\n%zu formulas; 'rigor explain ID' shows one\n", ids.size());
+      if (options->json)
+        std::printf("%s\n", list.dump(2).c_str());
+      else
+        std::printf("\n%zu formulas; 'rigor explain ID' shows one\n", ids.size());
       return;
     }
     const std::optional<Explanation> found = explain(texts(), options->id);
@@ -206,9 +216,13 @@ void add_explain(CLI::App& app, int& exit_status) {
       return;
     }
     if (!options->json) return print(*found);
-    std::printf("%s\n", nlohmann::json{{"id", found->id}, {"header", found->header}, {"docstring", found->docstring},
-                                       {"derivation", found->derivation}, {"errata", found->errata},
-                                       {"theorems", found->theorems}, {"bridges", found->bridges},
+    std::printf("%s\n", nlohmann::json{{"id", found->id},
+                                       {"header", found->header},
+                                       {"docstring", found->docstring},
+                                       {"derivation", found->derivation},
+                                       {"errata", found->errata},
+                                       {"theorems", found->theorems},
+                                       {"bridges", found->bridges},
                                        {"tests", found->tests}}
                             .dump(2)
                             .c_str());

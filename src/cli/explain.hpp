@@ -13,13 +13,13 @@ namespace rigor::cli {
 /// What is known of one formula, collected from the texts by its id.
 struct Explanation {
   std::string id;
-  std::string header;                  ///< "src/formulas/normal_impulse.hpp"
-  std::string docstring;               ///< without the /// marks
-  std::string derivation;              ///< the section of proofs/*.md under its heading, Markdown
-  std::vector<std::string> errata;     ///< sections of reference/errata.md that the docstring cites
-  std::vector<std::string> theorems;   ///< Coq statements tagged with the id
-  std::vector<std::string> bridges;    ///< statements that tie the C++ to the theorem
-  std::vector<std::string> tests;      ///< "tests/exact/impulse_test.cpp: ImpulseNormal.SeparatesAtETimes..."
+  std::string header;                 ///< "src/formulas/normal_impulse.hpp"
+  std::string docstring;              ///< without the /// marks
+  std::string derivation;             ///< the section of proofs/*.md under its heading, Markdown
+  std::vector<std::string> errata;    ///< sections of reference/errata.md that the docstring cites
+  std::vector<std::string> theorems;  ///< Coq statements tagged with the id
+  std::vector<std::string> bridges;   ///< statements that tie the C++ to the theorem
+  std::vector<std::string> tests;     ///< "tests/exact/impulse_test.cpp: ImpulseNormal.SeparatesAtETimes..."
 };
 
 /// Every id in the headers of src/formulas, in file order.

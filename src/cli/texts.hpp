@@ -4,7 +4,8 @@
 
 namespace rigor::cli {
 
-/// A file of the source tree carried inside the program: formulas, derivations, theorems, exact tests, errata.
+/// A file of the source tree carried inside the program: formulas, derivations, theorems, exact tests,
+/// errata.
 struct Text {
   std::string_view path;  ///< from the root of the repository, "proofs/impulse.md"
   std::string_view content;

@@ -19,7 +19,8 @@ TEST(Suggest, FindsTheNearestWordAndStaysSilentWhenNoneIsNear) {
 TEST(Fault, SeenFromFurtherOutNamesTheWholePath) {
   const Fault fault{Fault::Kind::not_positive, "size[1]", "is -2, must be > 0"};
   EXPECT_EQ(fault.inside("cuboids[2]").text(), "cuboids[2].size[1] is -2, must be > 0");
-  EXPECT_EQ((Fault{Fault::Kind::missing, "[3]", "is missing"}).inside("planes").text(), "planes[3] is missing");
+  EXPECT_EQ((Fault{Fault::Kind::missing, "[3]", "is missing"}).inside("planes").text(),
+            "planes[3] is missing");
 }
 
 TEST(WriteFile, LeavesTheOldFileWholeWhenItCannotWrite) {

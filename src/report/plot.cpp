@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <rigor/report/html.hpp>
+#include <rigor/report/plot.hpp>
+
+namespace rigor::report {
+namespace {
+
+constexpr double width = 720, height = 430, left = 74, right = 14, top = 14, bottom = 52;
+
+std::string number(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string tick_text(double value, bool logarithmic) {
+  if (!logarithmic) return number("%g", value);
+  const int exponent = int(std::lround(std::log10(value)));
+  if (exponent >= -2 && exponent <= 3) return number("%g", value);
+  return "1e" + std::to_string(exponent);
+}
+
+struct Axis {
+  double low, high;
+  bool logarithmic;
+  double start, end;  // pixels
+
+  double at(double value) const {
+    const auto f = [&](double x) { return logarithmic ? std::log10(x) : x; };
+    return start + (f(value) - f(low)) / (f(high) - f(low)) * (end - start);
+  }
+};
+
+bool drawable(double value, bool logarithmic) { return std::isfinite(value) && (!logarithmic || value > 0); }
+
+Axis axis_over(const std::vector<double>& values, bool logarithmic, double start, double end) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values)
+    if (drawable(v, logarithmic)) low = std::min(low, v), high = std::max(high, v);
+  if (!(low <= high)) low = logarithmic ? 0.1 : 0, high = 1;
+  if (logarithmic) {
+    low = std::pow(10, std::floor(std::log10(low) + 1e-9));
+    high = std::pow(10, std::ceil(std::log10(high) - 1e-9));
+    if (low == high) low /= 10, high *= 10;
+  } else {
+    const double pad = low == high ? std::max(1.0, std::abs(low)) / 2 : (high - low) * 0.04;
+    low -= pad, high += pad;
+  }
+  return {low, high, logarithmic, start, end};
+}
+
+std::string marker(std::size_t kind, double x, double y, const std::string& colour) {
+  const std::string at = number("%.1f", x) + "," + number("%.1f", y);
+  const auto polygon = [&](std::initializer_list<std::pair<double, double>> points) {
+    std::string text = "<polygon points=\"";
+    for (const auto& [dx, dy] : points) text += number("%.1f", x + dx) + "," + number("%.1f", y + dy) + " ";
+    return text + "\" fill=\"" + colour + "\"/>";
+  };
+  switch (kind % 4) {
+    case 0:
+      return "<circle cx=\"" + number("%.1f", x) + "\" cy=\"" + number("%.1f", y) + "\" r=\"3.2\" fill=\"" +
+             colour + "\"/>";
+    case 1:
+      return polygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
+    case 2:
+      return polygon({{0, -4}, {4, 3}, {-4, 3}});
+    default:
+      return polygon({{0, -4.3}, {4.3, 0}, {0, 4.3}, {-4.3, 0}});
+  }
+}
+
+std::string frame(const Axis& x, const Axis& y, const Plot& plot) {
+  std::string svg;
+  for (const double v : ticks(x.low, x.high, x.logarithmic)) {
+    const std::string at = number("%.1f", x.at(v));
+    svg += "<line class=\"grid\" x1=\"" + at + "\" x2=\"" + at + "\" y1=\"" + number("%g", top) + "\" y2=\"" +
+           number("%g", height - bottom) + "\"/>";
+    svg += "<text x=\"" + at + "\" y=\"" + number("%g", height - bottom + 17) + "\" text-anchor=\"middle\">" +
+           tick_text(v, x.logarithmic) + "</text>";
+  }
+  for (const double v : ticks(y.low, y.high, y.logarithmic)) {
+    const std::string at = number("%.1f", y.at(v));
+    svg += "<line class=\"grid\" y1=\"" + at + "\" y2=\"" + at + "\" x1=\"" + number("%g", left) +
+           "\" x2=\"" + number("%g", width - right) + "\"/>";
+    svg += "<text y=\"" + number("%.1f", y.at(v) + 4) + "\" x=\"" + number("%g", left - 6) +
+           "\" text-anchor=\"end\">" + tick_text(v, y.logarithmic) + "</text>";
+  }
+  svg += "<rect class=\"axis\" fill=\"none\" x=\"" + number("%g", left) + "\" y=\"" + number("%g", top) +
+         "\" width=\"" + number("%g", width - left - right) + "\" height=\"" +
+         number("%g", height - top - bottom) + "\"/>";
+  svg += "<text x=\"" + number("%g", (left + width - right) / 2) + "\" y=\"" + number("%g", height - 12) +
+         "\" text-anchor=\"middle\">" + escape(plot.x_label) + "</text>";
+  svg += "<text transform=\"translate(15 " + number("%g", (top + height - bottom) / 2) +
+         ") rotate(-90)\" text-anchor=\"middle\">" + escape(plot.y_label) + "</text>";
+  return svg;
+}
+
+std::string curve(const Series& s, std::size_t index, const Axis& x, const Axis& y,
+                  const std::string& colour) {
+  std::string path, marks;
+  bool pen_down = false;
+  for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+    if (!drawable(s.x[i], x.logarithmic) || !drawable(s.y[i], y.logarithmic)) {
+      pen_down = false;
+      continue;
+    }
+    const double px = x.at(s.x[i]), py = y.at(s.y[i]);
+    path += (pen_down ? "L" : "M") + number("%.1f", px) + " " + number("%.1f", py);
+    pen_down = true;
+    if (s.markers && !s.dashed)
+      marks += "<g><title>" + escape(s.name) + ": " + number("%.6g", s.x[i]) + ", " + number("%.4g", s.y[i]) +
+               "</title>" + marker(index, px, py, colour) + "</g>";
+  }
+  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
+         (s.dashed ? "1.2\" stroke-dasharray=\"5 4" : "1.8") + "\"/>" + marks;
+}
+
+// How many points of a plot cannot be drawn: said in the text alternative, never silently dropped.
+std::size_t gaps(const Plot& plot) {
+  std::size_t count = 0;
+  for (const Series& s : plot.series)
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
+      count += !drawable(s.x[i], plot.log_x) || !drawable(s.y[i], plot.log_y);
+  return count;
+}
+
+std::string describe(const Plot& plot) {
+  std::string text = plot.title + ". " + plot.x_label + " against " + plot.y_label + ". Curves:";
+  for (const Series& s : plot.series) text += " " + s.name + ";";
+  if (const std::size_t missing = gaps(plot))
+    text += " " + std::to_string(missing) + " points are not finite or not positive and are not drawn.";
+  return text;
+}
+
+std::string svg(const Plot& plot, const std::vector<std::string>& colours, const std::string& style) {
+  std::vector<double> xs, ys;
+  for (const Series& s : plot.series) {
+    xs.insert(xs.end(), s.x.begin(), s.x.end());
+    ys.insert(ys.end(), s.y.begin(), s.y.end());
+  }
+  const Axis x = axis_over(xs, plot.log_x, left, width - right),
+             y = axis_over(ys, plot.log_y, height - bottom, top);
+  const std::size_t rows = (plot.series.size() + 2) / 3;
+  const double total = height + 20.0 * double(rows) + 6;
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " +
+                    number("%g", width) + " " + number("%g", total) + "\" width=\"" + number("%g", width) +
+                    "\" height=\"" + number("%g", total) + "\"><title>" + escape(plot.title) +
+                    "</title><desc>" + escape(describe(plot)) + "</desc>" + style + frame(x, y, plot);
+  for (std::size_t i = 0; i < plot.series.size(); ++i)
+    out += curve(plot.series[i], i, x, y, colours[i % colours.size()]);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const double px = left + double(i % 3) * (width - left - right) / 3,
+                 py = height + 8 + 20.0 * double(i / 3);
+    const std::string& colour = colours[i % colours.size()];
+    out += "<line x1=\"" + number("%g", px) + "\" x2=\"" + number("%g", px + 22) + "\" y1=\"" +
+           number("%g", py) + "\" y2=\"" + number("%g", py) + "\" stroke=\"" + colour +
+           "\" stroke-width=\"2\"" + (plot.series[i].dashed ? " stroke-dasharray=\"5 4\"" : "") + "/>";
+    if (plot.series[i].markers && !plot.series[i].dashed) out += marker(i, px + 11, py, colour);
+    out += "<text x=\"" + number("%g", px + 28) + "\" y=\"" + number("%g", py + 4) + "\">" +
+           escape(plot.series[i].name) + "</text>";
+  }
+  return out + "</svg>";
+}
+
+const std::vector<std::string> page_colours{"var(--s0)", "var(--s1)", "var(--s2)", "var(--s3)",
+                                            "var(--s4)", "var(--s5)", "var(--s6)", "var(--s7)"};
+const std::vector<std::string> file_colours{"#0b5cad", "#b3420a", "#1a7a3c", "#7b3fb5",
+                                            "#8a6100", "#0a7480", "#a3195b", "#555"};
+
+std::string in_figure(const std::string& picture, const std::string& caption_html) {
+  return "<figure>" + picture +
+         (caption_html.empty() ? "" : "<figcaption>" + caption_html + "</figcaption>") + "</figure>\n";
+}
+
+}  // namespace
+
+std::vector<double> ticks(double low, double high, bool logarithmic) {
+  std::vector<double> at;
+  if (logarithmic) {
+    const int first = int(std::ceil(std::log10(low) - 1e-9)), last = int(std::floor(std::log10(high) + 1e-9));
+    const int every = std::max(1, (last - first + 9) / 10);
+    for (int e = first; e <= last; e += every) at.push_back(std::pow(10, e));
+    return at;
+  }
+  const double raw = (high - low) / 7, power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double multiple : {5.0, 2.0, 1.0})
+    if (multiple * power >= raw) step = multiple * power;
+  for (double k = std::ceil(low / step); k * step <= high; ++k) at.push_back(k * step == 0 ? 0 : k * step);
+  return at;
+}
+
+std::string figure(const Plot& plot, const std::string& caption_html) {
+  return in_figure(svg(plot, page_colours, ""), caption_html);
+}
+
+std::string svg_file(const Plot& plot) {
+  return svg(plot, file_colours,
+             "<style>text{font:12px "
+             "sans-serif;fill:#1b1f24}.grid{stroke:#d0d7de}.axis{stroke:#57606a}</style>"
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>") +
+         "\n";
+}
+
+std::string figure(const Bars& bars, const std::string& caption_html) {
+  const Axis y = axis_over(
+      [&] {
+        auto v = bars.values;
+        v.push_back(0);
+        return v;
+      }(),
+      false, height - bottom, top);
+  const Axis from_zero{0, y.high, false, y.start, y.end};
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " +
+                    number("%g", width) + " " + number("%g", height) + "\" width=\"" + number("%g", width) +
+                    "\" height=\"" + number("%g", height) + "\"><title>" + escape(bars.title) +
+                    "</title><desc>";
+  for (std::size_t i = 0; i < bars.values.size(); ++i)
+    out += escape(bars.labels[i]) + ": " + number("%g", bars.values[i]) + "; ";
+  out += "</desc>";
+  for (const double v : ticks(0, from_zero.high, false)) {
+    const std::string at = number("%.1f", from_zero.at(v));
+    out += "<line class=\"grid\" y1=\"" + at + "\" y2=\"" + at + "\" x1=\"" + number("%g", left) +
+           "\" x2=\"" + number("%g", width - right) + "\"/><text y=\"" + number("%.1f", from_zero.at(v) + 4) +
+           "\" x=\"" + number("%g", left - 6) + "\" text-anchor=\"end\">" + number("%g", v) + "</text>";
+  }
+  const double pitch = (width - left - right) / double(std::max<std::size_t>(1, bars.values.size()));
+  for (std::size_t i = 0; i < bars.values.size(); ++i) {
+    const double x = left + pitch * double(i), y_top = from_zero.at(bars.values[i]);
+    out += "<g><title>" + escape(bars.labels[i]) + ": " + number("%g", bars.values[i]) +
+           "</title><rect fill=\"var(--s0)\" x=\"" + number("%.1f", x + pitch * 0.12) + "\" y=\"" +
+           number("%.1f", y_top) + "\" width=\"" + number("%.1f", pitch * 0.76) + "\" height=\"" +
+           number("%.1f", height - bottom - y_top) + "\"/></g><text x=\"" + number("%.1f", x + pitch / 2) +
+           "\" y=\"" + number("%g", height - bottom + 17) + "\" text-anchor=\"middle\">" +
+           escape(bars.labels[i]) + "</text>";
+  }
+  out += "<text x=\"" + number("%g", (left + width - right) / 2) + "\" y=\"" + number("%g", height - 12) +
+         "\" text-anchor=\"middle\">" + escape(bars.x_label) + "</text>" + "<text transform=\"translate(15 " +
+         number("%g", (top + height - bottom) / 2) + ") rotate(-90)\" text-anchor=\"middle\">" +
+         escape(bars.y_label) + "</text></svg>";
+  return in_figure(out, caption_html);
+}
+
+}  // namespace rigor::report

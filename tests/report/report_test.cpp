@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <rigor/report/html.hpp>
+#include <rigor/report/plot.hpp>
+
+namespace rigor::report {
+namespace {
+
+TEST(Escape, LeavesNothingThatABrowserOrATerminalWouldInterpret) {
+  EXPECT_EQ(escape("<b a=\"1\" b='2'>&"), "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;");
+  EXPECT_EQ(escape("a\x1b[31mb"), "a\xEF\xBF\xBD[31mb");
+  EXPECT_EQ(escape("\xC3\xBC \xE2\x84\x9A"), "\xC3\xBC \xE2\x84\x9A");  // ü ℚ stay
+  EXPECT_EQ(escape("\xC0\xBC"), "\xEF\xBF\xBD\xEF\xBF\xBD");            // an overlong '<' does not
+}
+
+TEST(Escape, OfRandomBytesHasNoMarkupAndNoControlCharacters) {
+  std::mt19937 random(7);
+  for (int k = 0; k < 20000; ++k) {
+    std::string bytes(random() % 24, '\0');
+    for (char& c : bytes) c = char(random());
+    const std::string safe = escape(bytes);
+    EXPECT_EQ(safe.find_first_of("<>\"'"), std::string::npos);
+    for (const char c : safe) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t');
+  }
+}
+
+TEST(Page, EscapesItsTitleAndForbidsEveryLoad) {
+  Page page;
+  page.title = "<script>alert(1)</script>";
+  const std::string html = render(page);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+  EXPECT_NE(html.find("script-src 'none'"), std::string::npos);
+}
+
+TEST(Ticks, AreDecadesOnALogarithmicAxisAndOneTwoFiveElse) {
+  EXPECT_EQ(ticks(1e-3, 1e1, true).size(), 5u);
+  EXPECT_LE(ticks(1e-16, 1e3, true).size(), 11u);
+  EXPECT_EQ(ticks(0, 10, false), (std::vector<double>{0, 2, 4, 6, 8, 10}));
+}
+
+TEST(Plot, SaysHowManyPointsItCannotDraw) {
+  Plot plot{"error", "step", "error", true, true, {{"a", {1, 2, 4}, {1e-3, NAN, 0}}}};
+  const std::string html = figure(plot);
+  EXPECT_NE(html.find("2 points are not finite or not positive"), std::string::npos);
+  EXPECT_EQ(html.find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigor::report
