@@ -16,9 +16,16 @@ enum class Function : std::uint32_t {
   friction_tangent = 4,  // plane.frictionTangent(A, point); reply.vector, and A to see that it is untouched
   plane_response = 5,    // plane.applyCollisionResponse(A); reply: A
   pair_response = 6,     // applyCollisionImpulse(A, B, point, vector = normal from A to B); reply: A and B
-  scene_steps = 7,       // the student's own ParticleSystem, `count` steps of integrate; reply.scene
+  scene_steps = 7,       // the student's own ParticleSystem after srand(seed), `count` steps of h; reply.scene
   constants = 8,         // reply.constants: the values the submission was compiled with
 };
+
+/// Bits of Request::flags.
+constexpr std::uint32_t want_helpers = 1;   // before the call: what the student's own helpers say of A and B as they
+                                            // stand (Reply::A_helpers, B_helpers; tangent in Reply::vector where
+                                            // there is a plane: its frictionTangent at `point`)
+constexpr std::uint32_t hold_forces = 2;    // update: the accumulators are set again before each of `count` steps
+constexpr std::uint32_t vacuum_on = 4;      // scene_steps: startVacuumForces() before the first step
 
 /// One cuboid, SI units, world axes unless said; matrices by rows.
 struct BodyRecord {
@@ -41,6 +48,8 @@ struct Request {
   std::uint32_t count;
   std::uint32_t direct;  // 1: the driver overwrites state, accumulators and tensors with the record's values
                          // 0: only what the constructor takes (size, mass, position, rotation), then state
+  std::uint32_t flags;
+  std::uint32_t seed;
   double h;
   BodyRecord A, B;
   double plane_point[3], plane_normal[3];
@@ -48,19 +57,32 @@ struct Request {
   double vector[3];
 };
 
-enum class Status : std::uint32_t { done = 0, unknown_function = 1, threw = 2 };
+enum class Status : std::uint32_t {
+  done = 0,
+  unknown_function = 1,  // the submission has no such function
+  threw = 2,             // an exception came out of the student's function
+  out_of_memory = 3,     // std::bad_alloc came out of it
+  crashed = 4,           // last words from a signal handler: Reply::signal, Reply::stack_overflow
+};
+
+/// What the student's own functions gave for a body just before the call (want_helpers).
+struct HelperRecord {
+  double world_inertia[9], world_inverse_inertia[9];
+};
 
 struct Reply {
   std::uint32_t magic;  // reply_magic
   std::uint32_t status;
   std::uint64_t serial;
+  std::uint32_t signal;
+  std::uint32_t stack_overflow;
   BodyRecord A, B;
+  HelperRecord A_helpers, B_helpers;
   double world_inertia[9], world_inverse_inertia[9];
   double vector[3];
   double constants[4];  // restitution, static friction, dynamic friction, DELTA_T
   // scene: smallest centre-to-plane distance, largest speed, largest |position|, 1 when everything stayed finite
   double scene[4];
-  double reserved[8];
 };
 
 constexpr std::uint32_t request_magic = 0x72677131u;
