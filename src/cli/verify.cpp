@@ -1,0 +1,108 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/base/suggest.hpp>
+#include <rigor/cli/explain.hpp>
+#include <rigor/cli/verify.hpp>
+#include <rigor/verify/verify.hpp>
+
+namespace rigor::cli {
+namespace {
+
+struct Options {
+  std::string id;
+  long cases = 2000;
+  double seconds = 0;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+// A soak adds the counts of one round to those before and keeps the worst.
+void merge(verify::Result& sum, const verify::Result& more) {
+  for (std::size_t i = 0; i < sum.identities.size(); ++i) {
+    sum.identities[i].cases += more.identities[i].cases;
+    sum.identities[i].held += more.identities[i].held;
+  }
+  for (std::size_t i = 0; i < sum.roundings.size(); ++i) {
+    sum.roundings[i].cases += more.roundings[i].cases;
+    sum.roundings[i].worst = std::max(sum.roundings[i].worst, more.roundings[i].worst);
+  }
+  for (std::size_t i = 0; i < sum.agreements.size(); ++i) {
+    sum.agreements[i].cases += more.agreements[i].cases;
+    sum.agreements[i].worst = std::max(sum.agreements[i].worst, more.agreements[i].worst);
+  }
+}
+
+nlohmann::json as_json(const verify::Result& result, const Options& options) {
+  nlohmann::json out{{"seed", options.seed}, {"ok", result.ok()}};
+  for (const auto& r : result.identities)
+    out["identities"].push_back({{"id", r.id}, {"says", r.says}, {"cases", r.cases}, {"held", r.held}});
+  for (const auto& r : result.roundings)
+    out["roundings"].push_back({{"id", r.id}, {"bound", r.bound}, {"cases", r.cases}, {"worst_ratio", r.worst}});
+  for (const auto& r : result.agreements)
+    out["agreements"].push_back(
+        {{"id", r.id}, {"oracle", r.oracle}, {"cases", r.cases}, {"worst", r.worst}, {"bound", r.bound}});
+  return out;
+}
+
+void print(const verify::Result& result) {
+  std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
+  for (const auto& r : result.identities)
+    std::printf("  %-30s %ld of %ld%s\n      %s\n", r.id.c_str(), r.held, r.cases, r.ok() ? "" : "   DOES NOT HOLD",
+                r.says.c_str());
+  std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
+  for (const auto& r : result.roundings)
+    std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
+                r.ok() ? "" : "   ABOVE");
+  std::printf("\nORACLES: agreement with a method that does not share the formula\n");
+  for (const auto& r : result.agreements)
+    std::printf("  %-30s %8.1e <= %-8.1e %6ld cases%s\n      %s\n", r.id.c_str(), r.worst, r.bound, r.cases,
+                r.ok() ? "" : "   ABOVE", r.oracle.c_str());
+}
+
+int verify_command(const Options& options) {
+  const std::vector<std::string> ids = formula_ids(texts());
+  if (!options.id.empty() && std::find(ids.begin(), ids.end(), options.id) == ids.end()) {
+    std::fprintf(stderr, "rigor verify: there is no formula '%s'%s; 'rigor explain' lists them\n", options.id.c_str(),
+                 did_you_mean(options.id, ids).c_str());
+    return 2;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  verify::Result result = verify::run(options.id, options.cases, options.seed);
+  for (std::uint64_t round = 1; elapsed() < options.seconds && interrupted() == 0; ++round)
+    merge(result, verify::run(options.id, options.cases, options.seed + round));
+  if (options.json) std::printf("%s\n", as_json(result, options).dump(2).c_str());
+  else print(result);
+  if (interrupted() != 0) {
+    std::fprintf(stderr, "rigor verify: interrupted; the figures are of the cases run so far\n");
+    return 128 + interrupted();
+  }
+  if (!options.json)
+    std::printf("\n%s: %zu formulas, %.1f s, seed %llu\n", result.ok() ? "all held" : "NOT all held",
+                result.roundings.size(), elapsed(), static_cast<unsigned long long>(options.seed));
+  return result.ok() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("verify", "property run over the built-in formulas; a soak with --time");
+  command->add_option("--id", options->id, "only this formula");
+  command->add_option("--cases", options->cases, "random inputs for each formula and round")
+      ->check(CLI::Range(1L, 100000000L))
+      ->capture_default_str();
+  command->add_option("--time", options->seconds, "go on with new seeds for so many seconds")
+      ->check(CLI::Range(0.0, 1e7));
+  command->add_option("--seed", options->seed, "same seed, same numbers")->capture_default_str();
+  command->add_flag("--json", options->json, "as JSON");
+  command->footer("Example:  rigor verify --id impulse.normal --cases 100000");
+  command->callback([options, &exit_status] { exit_status = verify_command(*options); });
+}
+
+}  // namespace rigor::cli

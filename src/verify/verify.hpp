@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rigor::verify {
+
+/// An identity over ℚ, checked with ==.
+struct Identity {
+  std::string id;
+  std::string says;  ///< "v_n' = -e v_n"
+  long cases = 0, held = 0;
+  bool ok() const { return cases > 0 && held == cases; }
+};
+
+/// Double against exact (or long double, where roots occur) on the same inputs.
+struct Rounding {
+  std::string id;
+  std::string bound;  ///< "gamma(4) x absolute sum"
+  long cases = 0;
+  double worst = 0;  ///< largest |double - exact| / bound; must stay <= 1
+  bool ok() const { return cases > 0 && worst <= 1; }
+};
+
+/// A second method that does not share the formula.
+struct Agreement {
+  std::string id;
+  std::string oracle;  ///< "Gauss product rule", "CVODE Adams, tolerance 1e-13"
+  double worst = 0, bound = 0;  ///< same unit
+  long cases = 0;
+  bool ok() const { return cases > 0 && worst <= bound; }
+};
+
+struct Result {
+  std::vector<Identity> identities;
+  std::vector<Rounding> roundings;
+  std::vector<Agreement> agreements;
+  bool ok() const;
+};
+
+/// Runs what is known of the formulas whose id is `only`, or of all when it is empty. Same seed, same numbers.
+/// Stops early, with fewer cases, when the program is interrupted.
+Result run(const std::string& only, long cases, std::uint64_t seed);
+
+/// The three parts of run().
+std::vector<Identity> identities(const std::string& only, long cases, std::uint64_t seed);
+std::vector<Rounding> roundings(const std::string& only, long cases, std::uint64_t seed);
+std::vector<Agreement> agreements(const std::string& only, long cases, std::uint64_t seed);
+
+}  // namespace rigor::verify
