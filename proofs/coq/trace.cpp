@@ -1,0 +1,210 @@
+// Runs the templates of src/formulas with a recording scalar and prints what they did as Coq definitions (Traced.v).
+// proofs/check compiles and runs this at every check; its output never lies in the tree.
+// The recording is of the very source that runs in double. It fixes the value as a real number; about rounding it
+// says nothing.
+#include <cstdio>
+#include <rigor/formulas/angular_acceleration.hpp>
+#include <rigor/formulas/apply_pair_impulse.hpp>
+#include <rigor/formulas/cuboid_inertia.hpp>
+#include <rigor/formulas/cuboid_inverse_inertia.hpp>
+#include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_tangent.hpp>
+#include <rigor/formulas/kinetic_energy.hpp>
+#include <rigor/formulas/linear_acceleration.hpp>
+#include <rigor/formulas/momentum.hpp>
+#include <rigor/formulas/normal_effective_mass.hpp>
+#include <rigor/formulas/normal_impulse.hpp>
+#include <rigor/formulas/point_velocity.hpp>
+#include <rigor/formulas/positional_correction.hpp>
+#include <rigor/formulas/semi_implicit_step.hpp>
+#include <rigor/formulas/world_inverse_inertia.hpp>
+#include <rigor/scalar/traced.hpp>
+#include <sstream>
+#include <tuple>
+
+namespace rigor {
+namespace {
+
+using T = Traced;
+
+// How a C++ type looks in Coq (the records are those of Laws.v): its name, a symbol of it that lives in a
+// recording, and a value of it written out.
+template <class X>
+struct Coq;
+
+template <>
+struct Coq<T> {
+  static constexpr const char* name = "R";
+  static T symbol(Recording* in, const std::string& x) { return {in, x}; }
+  static std::string write(const T& x) { return x.term(); }
+};
+
+template <>
+struct Coq<Vec3<T>> {
+  static constexpr const char* name = "V";
+  static Vec3<T> symbol(Recording* in, const std::string& x) {
+    return {{in, "(vx " + x + ")"}, {in, "(vy " + x + ")"}, {in, "(vz " + x + ")"}};
+  }
+  static std::string write(const Vec3<T>& v) {
+    return "(V3 " + v[0].term() + " " + v[1].term() + " " + v[2].term() + ")";
+  }
+};
+
+template <>
+struct Coq<Mat3<T>> {
+  static constexpr const char* name = "M";
+  static Mat3<T> symbol(Recording* in, const std::string& x) {
+    const std::string axis = "xyz";
+    Mat3<T> m;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) m(i, j) = T(in, std::string("(") + axis[i] + axis[j] + " " + x + ")");
+    return m;
+  }
+  static std::string write(const Mat3<T>& m) {
+    std::string text = "(M3";
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) text += " " + m(i, j).term();
+    return text + ")";
+  }
+};
+
+// A struct: its record's constructor and fields, in the order of the C++ members.
+template <class X>
+struct Fields;
+
+template <class X>
+  requires requires { Fields<X>::members; }
+struct Coq<X> {
+  static constexpr const char* name = Fields<X>::name;
+  static X symbol(Recording* in, const std::string& x) {
+    X made;
+    each([&](auto member, const char* field) {
+      using Member = std::remove_reference_t<decltype(made.*member)>;
+      made.*member = Coq<Member>::symbol(in, std::string("(") + field + " " + x + ")");
+    });
+    return made;
+  }
+  static std::string write(const X& x) {
+    std::string text = std::string("(Build_") + name;
+    each([&](auto member, const char*) {
+      using Member = std::remove_cvref_t<decltype(x.*member)>;
+      text += " " + Coq<Member>::write(x.*member);
+    });
+    return text + ")";
+  }
+
+ private:
+  static void each(auto visit) {
+    std::apply([&](auto... m) { (visit(m.first, m.second), ...); }, Fields<X>::members);
+  }
+};
+
+template <class X, class Y>
+constexpr std::pair<Y X::*, const char*> field(Y X::* member, const char* name) {
+  return {member, name};
+}
+template <>
+struct Fields<ImpactBody<T>> {
+  using X = ImpactBody<T>;
+  static constexpr const char* name = "ImpactBody";
+  static constexpr auto members = std::tuple(field(&X::inverse_mass, "inverse_mass"),
+                                             field(&X::inverse_I_B_W, "inverse_inertia"), field(&X::p_BC_W, "arm"));
+};
+template <>
+struct Fields<Velocity<T>> {
+  using X = Velocity<T>;
+  static constexpr const char* name = "Velocity";
+  static constexpr auto members = std::tuple(field(&X::v_WB, "linear"), field(&X::w_WB, "angular"));
+};
+template <>
+struct Fields<PairVelocity<T>> {
+  using X = PairVelocity<T>;
+  static constexpr const char* name = "PairVelocity";
+  static constexpr auto members = std::tuple(field(&X::A, "of_A"), field(&X::B, "of_B"));
+};
+template <>
+struct Fields<Wrench<T>> {
+  using X = Wrench<T>;
+  static constexpr const char* name = "Wrench";
+  static constexpr auto members = std::tuple(field(&X::f_W, "force"), field(&X::tau_W, "torque"));
+};
+template <>
+struct Fields<State<T>> {
+  using X = State<T>;
+  static constexpr const char* name = "State";
+  static constexpr auto members = std::tuple(field(&X::p_WB, "position"), field(&X::R_WB, "orientation"),
+                                             field(&X::v_WB, "velocity"), field(&X::w_WB, "spin"));
+};
+
+// The formula as a term: operations as lets, comparisons as if-then-else over both outcomes.
+void write_tree(const std::vector<bool>& script, const std::string& indent, auto run) {
+  Recording recording(script);
+  try {
+    const std::string result = run(&recording);
+    std::printf("%s%s%s", recording.lets(indent).c_str(), indent.c_str(), result.c_str());
+  } catch (const Recording::Undecided& at) {
+    std::vector<bool> yes = script, no = script;
+    yes.push_back(true);
+    no.push_back(false);
+    std::printf("%s%sif %s then\n", recording.lets(indent).c_str(), indent.c_str(), at.condition.c_str());
+    write_tree(yes, indent + "  ", run);
+    std::printf("\n%selse\n", indent.c_str());
+    write_tree(no, indent + "  ", run);
+  }
+}
+
+// "Definition cpp_NAME (a : R) (b : V) : V := ..." for a function and the names of its arguments.
+template <class Result, class... Arguments>
+void record(const char* name, Result (*function)(Arguments...), const std::string& argument_names) {
+  std::vector<std::string> names;
+  std::istringstream words(argument_names);
+  for (std::string word; words >> word;) names.push_back(word);
+  if (names.size() != sizeof...(Arguments)) throw std::logic_error(std::string(name) + ": argument names");
+
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    std::printf("Definition cpp_%s", name);
+    (std::printf(" (%s : %s)", names[i].c_str(), Coq<std::remove_cvref_t<Arguments>>::name), ...);
+    std::printf(" : %s :=\n", Coq<Result>::name);
+    write_tree({}, "  ", [&](Recording* in) {
+      return Coq<Result>::write(function(Coq<std::remove_cvref_t<Arguments>>::symbol(in, names[i])...));
+    });
+    std::printf(".\n\n");
+  }(std::index_sequence_for<Arguments...>());
+}
+
+void record_all() {
+  std::printf("(* Made by proofs/check from src/formulas. *)\nRequire Import Vec3 Laws.\n\n"
+              "Section Recorded.\nVariable eps : R.  (* the scalar's epsilon *)\n\n");
+  record("cuboid_inertia", &cuboid_inertia<T>, "m s");
+  record("cuboid_inverse_inertia", &cuboid_inverse_inertia<T>, "I");
+  record("world_inertia", &world_inertia<T>, "Rot I");
+  record("world_inverse_inertia", &world_inverse_inertia<T>, "Rot inverse_I");
+  record("torque_of_force", &torque_of_force<T>, "r f");
+  record("add_force", &add_force<T>, "sum r f");
+  record("linear_acceleration", &linear_acceleration<T>, "w f");
+  record("angular_acceleration", &angular_acceleration<T>, "I inverse_I w tau");
+  record("point_velocity", &point_velocity<T>, "v w r");
+  record("rotation_rate", &rotation_rate<T>, "w Rot");
+  record("naive_rotation_step", &naive_rotation_step<T>, "h w Rot");
+  record("gram_schmidt", &gram_schmidt<T>, "A");
+  record("semi_implicit_step", &semi_implicit_step<T>, "h s a alpha");
+  record("effective_inverse_mass", &effective_inverse_mass<T>, "A B");
+  record("normal_inverse_mass", &normal_inverse_mass<T>, "A B n");
+  record("relative_velocity", &relative_velocity<T>, "A B u");
+  record("normal_impulse", &normal_impulse<T>, "e v_n k_nn");
+  record("normal_impulse_printed", &normal_impulse_printed<T>, "e v_n k_nn");
+  record("apply_impulse", &apply_impulse<T>, "B before j");
+  record("apply_pair_impulse", &apply_pair_impulse<T>, "A B before j");
+  record("friction_tangent", &friction_tangent<T>, "v_r f n");
+  record("positional_correction", &positional_correction<T>, "depth n");
+  record("kinetic_energy", &kinetic_energy<T>, "m I v w");
+  record("impulse_energy", &impulse_energy<T>, "j v_r_before v_r_after");
+  record("linear_momentum", &linear_momentum<T>, "m v");
+  record("angular_momentum", &angular_momentum<T>, "m I p v w o");
+  std::printf("End Recorded.\n");
+}
+
+}  // namespace
+}  // namespace rigor
+
+int main() { rigor::record_all(); }
