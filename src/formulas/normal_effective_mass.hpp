@@ -12,7 +12,7 @@ namespace rigor {
 /// frames    world axes; n is a unit vector, its sign does not matter
 /// scalars   Field: exact over ℚ
 /// domain    not both bodies immovable; then k_nn ≥ 1/m_A + 1/m_B > 0
-/// rounding  within γ₁₁ of the absolute sum of its terms
+/// rounding  within γ₁₂ of the absolute sum of its terms
 /// id        impulse.normal_effective_mass
 /// source    assignment, Part 2 (the denominator); derivation in proofs/impulse.md
 template <Field T>

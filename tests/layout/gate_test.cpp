@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <set>
+#include <tests/layout/formulas.hpp>
+
+// Every formula has one id, a derivation and an exact test. This reads text; what the derivation and the test
+// say is for a reader to judge.
+namespace rigor::layout {
+namespace {
+
+const char* const id_pattern = "[a-z][a-z0-9_]*(?:\\.[a-z0-9_]+)+";
+
+/// "## `inertia.cuboid`" of a derivation, with the parts its section has.
+std::map<std::string, std::set<std::string>> derivations_in(const std::string& text) {
+  const std::regex heading("^## `(" + std::string(id_pattern) + ")`$"), part(R"(^\*\*(Assumptions|Steps|Not claimed|Source)\b.*)");
+  std::map<std::string, std::set<std::string>> found;
+  std::string id;
+  for (const std::string& line : lines_of(text)) {
+    std::smatch match;
+    if (starts(line, "#")) id = std::regex_match(line, match, heading) ? match[1].str() : "";
+    if (id.empty()) continue;
+    found[id];
+    if (std::regex_match(line, match, part)) found[id].insert(match[1]);
+  }
+  return found;
+}
+
+/// Ids of "// id: a.b, c.d" comments that stand above a test; `floating` gets those that do not.
+std::set<std::string> tags_in(const std::string& text, std::vector<std::string>* floating) {
+  std::set<std::string> found, pending;
+  for (const std::string& line : lines_of(text)) {
+    if (starts(line, "// id:")) {
+      const std::regex id(id_pattern);
+      for (auto m = std::sregex_iterator(line.begin(), line.end(), id); m != std::sregex_iterator(); ++m)
+        pending.insert(m->str());
+    } else if (starts(line, "TEST(") || starts(line, "TEST_P(") || starts(line, "RC_GTEST_PROP(")) {
+      found.merge(pending);
+      pending.clear();
+    } else if (!starts(line, "//") && !pending.empty()) {
+      floating->insert(floating->end(), pending.begin(), pending.end());
+      pending.clear();
+    }
+  }
+  floating->insert(floating->end(), pending.begin(), pending.end());
+  return found;
+}
+
+struct Tree {
+  std::map<std::string, int> ids;  // id -> how many functions carry it
+  std::map<std::string, std::set<std::string>> derivations;
+  std::set<std::string> tests;
+  std::vector<std::string> floating, without_id;
+};
+
+Tree read_tree() {
+  Tree tree;
+  for (const Formula& f : all_formulas()) {
+    for (const std::string& id : f.ids) ++tree.ids[id];
+    if (f.ids.empty() && f.no_id.empty()) tree.without_id.push_back(f.file + ": " + f.function);
+  }
+  for (const std::string& file : files_below("proofs", {".md"})) tree.derivations.merge(derivations_in(read(source / file)));
+  for (const std::string& file : files_below("tests/exact", {".cpp"})) tree.tests.merge(tags_in(read(source / file), &tree.floating));
+  return tree;
+}
+
+std::vector<std::string> complaints(const Tree& tree) {
+  std::vector<std::string> all;
+  for (const auto& [id, count] : tree.ids) {
+    if (count > 1) all.push_back(id + ": defined " + std::to_string(count) + " times");
+    const auto derivation = tree.derivations.find(id);
+    if (derivation == tree.derivations.end())
+      all.push_back(id + ": no heading ## `" + id + "` in proofs/*.md");
+    else
+      for (const char* part : {"Assumptions", "Steps", "Not claimed", "Source"})
+        if (!derivation->second.count(part)) all.push_back(id + ": its derivation lacks **" + part + ".**");
+    if (!tree.tests.count(id)) all.push_back(id + ": no test under a line '// id: " + id + "' in tests/exact");
+  }
+  for (const auto& [id, parts] : tree.derivations)
+    if (!tree.ids.count(id)) all.push_back(id + ": a derivation of a formula that is gone");
+  for (const std::string& id : tree.tests)
+    if (!tree.ids.count(id)) all.push_back(id + ": a test of a formula that is gone");
+  for (const std::string& id : tree.floating) all.push_back(id + ": its tag in tests/exact does not stand on a test");
+  for (const std::string& function : tree.without_id)
+    all.push_back(function + " carries no id (write `/// id  topic.name`, or `/// no id  reason`)");
+  return all;
+}
+
+bool complains(const Tree& tree, const std::string& about) {
+  for (const std::string& line : complaints(tree))
+    if (line.find(about) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+TEST(Gate, EveryFormulaHasOneIdADerivationAndAnExactTest) {
+  const Tree tree = read_tree();
+  for (const auto& [id, count] : tree.ids)
+    std::printf("%-34s derivation %-3s  exact test %-3s\n", id.c_str(), tree.derivations.count(id) ? "yes" : "NO",
+                tree.tests.count(id) ? "yes" : "NO");
+  for (const Formula& f : all_formulas())
+    if (!f.no_id.empty()) std::printf("%-34s no id: %s\n", f.function.c_str(), f.no_id.c_str());
+  EXPECT_GE(tree.ids.size(), 26u);  // the assignment's formulas were found at all
+  for (const std::string& line : complaints(tree)) ADD_FAILURE() << line;
+}
+
+TEST(Gate, SeesEachKindOfGap) {
+  Tree whole;
+  whole.ids = {{"a.b", 1}};
+  whole.derivations = {{"a.b", {"Assumptions", "Steps", "Not claimed", "Source"}}};
+  whole.tests = {"a.b"};
+  EXPECT_TRUE(complaints(whole).empty());
+
+  Tree tree = whole;
+  tree.ids["a.b"] = 2;
+  EXPECT_TRUE(complains(tree, "defined 2 times"));
+  tree = whole, tree.derivations.clear();
+  EXPECT_TRUE(complains(tree, "no heading"));
+  tree = whole, tree.derivations["a.b"].erase("Not claimed");
+  EXPECT_TRUE(complains(tree, "lacks **Not claimed"));
+  tree = whole, tree.tests.clear();
+  EXPECT_TRUE(complains(tree, "no test under"));
+  tree = whole, tree.ids.clear();
+  EXPECT_TRUE(complains(tree, "a derivation of a formula that is gone"));
+  EXPECT_TRUE(complains(tree, "a test of a formula that is gone"));
+  EXPECT_TRUE(tags_in("// id: a.b\n\nint x;\nTEST(A, B) {\n", &tree.floating).empty());
+  EXPECT_TRUE(complains(tree, "does not stand on a test"));
+
+  const auto untagged = formulas_in("f.hpp", "/// A law.\ntemplate <Field T>\nT law(const T& x) {\n");
+  ASSERT_EQ(untagged.size(), 1u);
+  EXPECT_EQ(untagged[0].function, "law");
+  EXPECT_EQ(untagged[0].scalar, "Field");
+  EXPECT_TRUE(untagged[0].ids.empty());
+  const auto tagged = formulas_in("f.hpp", "/// id        a.b\n/// source    x\ntemplate <Field T>\nVec3<T> law(const T& x) {\n");
+  EXPECT_EQ(tagged.at(0).ids, std::vector<std::string>{"a.b"});
+  const auto excused = formulas_in("f.hpp", "/// no id  sums two others\ntemplate <Field T>\nT law(const T& x) {\n");
+  EXPECT_EQ(excused.at(0).no_id, "sums two others");
+  EXPECT_TRUE(formulas_in("f.hpp", "template <Field T>\nstruct State {\n").empty());
+}
+
+}  // namespace rigor::layout
