@@ -81,8 +81,10 @@ struct Reply {
   double world_inertia[9], world_inverse_inertia[9];
   double vector[3];
   double constants[4];  // restitution, static friction, dynamic friction, DELTA_T
-  // scene: smallest centre-to-plane distance, largest speed, largest |position|, 1 when everything stayed finite
+  // scene, over the steps after the first tenth (cuboids may start outside): smallest signed distance of a centre
+  // to a plane, largest speed, largest |position|; then 1 when everything stayed finite from the start, else 0
   double scene[4];
+  char text[96];  // Status::threw: what the exception said, clipped, ends with 0
 };
 
 constexpr std::uint32_t request_magic = 0x72677131u;

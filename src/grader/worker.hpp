@@ -22,10 +22,10 @@ struct Limits {
   double call_s = 0.5;                           ///< processor time for one call; ten times that on the wall
   double total_s = 60;                           ///< processor time of one process
   std::uint64_t memory_bytes = 512u << 20;       ///< address space
-  std::uint64_t output_bytes = 1u << 20;         ///< what it may print in one call; 64 KiB of it are kept
+  std::uint64_t output_bytes = 64u << 20;        ///< what it may print in one call; 64 KiB of it are kept
 };
 
-/// Why a call got no reply. The worker process is gone, or (threw) can go on; the next call works either way.
+/// Why a call got no reply. The next call works all the same: in a new process where the old one is gone.
 struct Death {
   enum class Kind {
     crash,    ///< a signal, or an exception that came out of the student's function
@@ -34,7 +34,7 @@ struct Death {
     exited,   ///< exit() or the like inside the function
     flood,    ///< printed more than the limit
     absent,   ///< the submission has no such function
-    unstarted,  ///< the process ended before the first call: `words` say how
+    unstarted,  ///< it ended before main; said again at once by every later call
   };
   Kind kind;
   std::string words;  ///< "stopped by a segmentation fault (memory that is not its own)"
@@ -44,6 +44,7 @@ using Answer = std::variant<Reply, Death>;
 
 /// Runs a student's code in a process of its own, locked down as far as the machine allows. The process is
 /// started by the first call and again by the first call after a death; everything is killed and reaped by then.
+/// Use one from one thread: a process dies with the thread that started it, another thread gets a new one.
 class Worker {
  public:
   Worker(std::filesystem::path executable, Constants constants, Limits limits = {});

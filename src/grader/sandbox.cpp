@@ -1,0 +1,295 @@
+#include <fcntl.h>
+#include <grp.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <rigor/base/promise.hpp>
+#include <rigor/grader/sandbox.hpp>
+#include <rigor/grader/seccomp.hpp>
+#include <thread>
+
+namespace rigor::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uid_t nobody = 65534;
+constexpr int information_fd = 10, filter_fd = 11, first_free_fd = 12, parking_fd = 20;
+char* const environment[] = {const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C"),
+                             const_cast<char*>("HOME=/tmp"), nullptr};
+
+/// Becomes nobody for good; false where we are root in name only (a container without that user).
+bool become_nobody() {
+  return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setresgid, nobody, nobody, nobody) == 0 &&
+         syscall(SYS_setresuid, nobody, nobody, nobody) == 0;
+}
+
+/// What happens in a child of ours, and whether it ended with status 0. Nothing it prints is seen.
+template <class Action>
+bool succeeds(Action action) {
+  const pid_t pid = fork();
+  if (pid < 0) return false;
+  if (pid == 0) {
+    const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (int fd = 0; fd < 3; ++fd) dup2(null, fd);
+    _exit(action() ? 0 : 1);
+  }
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+const char* bubblewrap_path() {
+  for (const char* path : {"/usr/bin/bwrap", "/bin/bwrap", "/usr/local/bin/bwrap"})
+    if (access(path, X_OK) == 0) return path;
+  return nullptr;
+}
+
+/// What this machine allows, found out by trying.
+struct Layers {
+  bool drops_user, namespaces, filter;
+  const char* bubblewrap;
+};
+
+const Layers& layers() {
+  static const Layers found = [] {
+    Layers l{};
+    l.drops_user = geteuid() == 0 && succeeds(become_nobody);
+    l.filter = succeeds([] { return install(compiler_filter()); });
+    l.bubblewrap = bubblewrap_path();
+    l.namespaces = l.bubblewrap != nullptr && succeeds([&l] {
+      if (l.drops_user && !become_nobody()) return false;
+      const char* argv[] = {l.bubblewrap, "--unshare-all", "--ro-bind", "/", "/", "/bin/true", nullptr};
+      execve(l.bubblewrap, const_cast<char**>(argv), environment);
+      return false;
+    });
+    return l;
+  }();
+  return found;
+}
+
+std::vector<std::string> bubblewrap_arguments(const Confined& what) {
+  std::vector<std::string> all{layers().bubblewrap, "--unshare-all", "--die-with-parent", "--new-session",
+                               "--cap-drop", "ALL", "--clearenv",
+                               "--info-fd", std::to_string(information_fd)};
+  const auto add = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
+  for (char* const* variable = environment; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    add({"--setenv", text.substr(0, text.find('=')), text.substr(text.find('=') + 1)});
+  }
+  if (layers().filter) add({"--seccomp", std::to_string(filter_fd)});
+  if (what.profile == Profile::compiler) {
+    add({"--ro-bind", "/usr", "/usr", "--tmpfs", "/tmp"});
+    for (const char* dir : {"/bin", "/lib", "/lib32", "/lib64", "/libx32"}) {
+      std::error_code ec;
+      if (fs::is_symlink(dir, ec))
+        add({"--symlink", fs::read_symlink(dir, ec).string(), dir});
+      else if (fs::is_directory(dir, ec))
+        add({"--ro-bind", dir, dir});
+    }
+  }
+  for (const fs::path& path : what.readable) add({"--ro-bind", path.string(), path.string()});
+  for (const fs::path& path : what.writable) add({"--bind", path.string(), path.string()});
+  add({"--chdir", what.directory, "--"});
+  all.insert(all.end(), what.argv.begin(), what.argv.end());
+  return all;
+}
+
+void limit(int resource, std::uint64_t value) {
+  const rlimit both{value, value};
+  syscall(SYS_prlimit64, 0, resource, &both, nullptr);
+}
+
+/// Between fork and exec: nothing here allocates.
+[[noreturn]] void become(const Confined& what, char* const* argv, int information, int filter) {
+  setsid();
+  // The descriptors asked for may be among 0, 1, 2 ... themselves: park them above, then place them.
+  int parked[16];
+  const int count = int(what.descriptors.size());
+  for (int i = 0; i < count; ++i) parked[i] = fcntl(what.descriptors[std::size_t(i)], F_DUPFD, parking_fd);
+  const int parked_information = information < 0 ? -1 : fcntl(information, F_DUPFD, parking_fd);
+  const int parked_filter = filter < 0 ? -1 : fcntl(filter, F_DUPFD, parking_fd);
+  for (int i = 0; i < count; ++i) dup2(parked[i], i);
+  for (int fd = count; fd < information_fd; ++fd) close(fd);
+  if (parked_information >= 0) dup2(parked_information, information_fd);
+  if (parked_filter >= 0) dup2(parked_filter, filter_fd);
+  if (syscall(SYS_close_range, first_free_fd, ~0u, 0) != 0)
+    for (int fd = first_free_fd; fd < 4096; ++fd) close(fd);
+
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (int number = 1; number < 32; ++number) signal(number, SIG_DFL);
+
+  const bool worker = what.profile == Profile::worker;
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, what.limits.cpu_s);
+  limit(RLIMIT_AS, what.limits.memory_bytes);
+  limit(RLIMIT_FSIZE, what.limits.file_bytes);
+  limit(RLIMIT_NOFILE, worker ? 32 : 256);
+  limit(RLIMIT_STACK, 8u << 20);
+  limit(RLIMIT_NPROC, 1024);
+  if (layers().drops_user && !become_nobody()) _exit(127);
+  umask(022);
+  if (!layers().namespaces) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (chdir(what.directory.c_str()) != 0) _exit(127);
+    if (layers().filter && !install(worker ? worker_filter(getpid()) : compiler_filter())) _exit(127);
+  }
+  execve(argv[0], argv, environment);
+  _exit(127);
+}
+
+/// The filter as a file for bubblewrap to read; -1 when there is none to give.
+int filter_file(const SystemCallFilter& filter) {
+  const int fd = memfd_create("filter", MFD_CLOEXEC);
+  promise(fd >= 0 && write(fd, filter.begin(), filter.bytes()) == ssize_t(filter.bytes()) &&
+              lseek(fd, 0, SEEK_SET) == 0,
+          "a filter can be written to memory");
+  return fd;
+}
+
+}  // namespace
+
+Outcome<Child> start(const Confined& what) {
+  promise(what.descriptors.size() < std::size_t(information_fd), "a confined process gets few descriptors");
+  const std::vector<std::string> words = layers().namespaces ? bubblewrap_arguments(what) : what.argv;
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+
+  int information[2] = {-1, -1}, filter = -1;
+  if (layers().namespaces) {
+    promise(pipe2(information, O_CLOEXEC) == 0, "a pipe can be had");
+    if (layers().filter)
+      filter = filter_file(what.profile == Profile::worker ? worker_filter(0) : compiler_filter());
+  }
+  const pid_t pid = fork();
+  if (pid == 0) become(what, argv.data(), information[1], filter);
+  const int why = errno;
+  if (information[1] >= 0) close(information[1]);
+  if (filter >= 0) close(filter);
+  if (pid < 0) {
+    if (information[0] >= 0) close(information[0]);
+    return Fault{Fault::Kind::unsupported, "", std::string("no process can be started: ") + std::strerror(why)};
+  }
+  Child child;
+  child.pid_ = pid;
+  child.information_ = information[0];
+  return child;
+}
+
+/// What bubblewrap says before it lets the program run; later bytes, whoever wrote them, are never read.
+pid_t Child::first_inside() const {
+  if (information_ < 0) return inside_;
+  std::string text;
+  char c;
+  for (ssize_t n; text.size() < 200;) {
+    n = read(information_, &c, 1);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0 || c == ',' || c == '}') break;
+    text += c;
+  }
+  close(information_);
+  information_ = -1;
+  if (const std::size_t at = text.find("\"child-pid\":"); at != std::string::npos)
+    inside_ = pid_t(std::strtol(text.c_str() + at + 12, nullptr, 10));
+  return inside_;
+}
+
+double Child::cpu_seconds() const {
+  pid_t program = pid_;
+  if (const pid_t reaper = first_inside(); reaper > 0) {
+    // the namespace's first process waits for the program, its only child
+    const std::string path = "/proc/" + std::to_string(reaper) + "/task/" + std::to_string(reaper) + "/children";
+    char text[32] = "";
+    const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0) return -1;
+    const ssize_t n = read(fd, text, sizeof text - 1);
+    close(fd);
+    program = n > 0 ? pid_t(std::strtol(text, nullptr, 10)) : 0;
+    if (program <= 0) return -1;
+  }
+  clockid_t clock;
+  timespec used{};
+  if (clock_getcpuclockid(program, &clock) != 0 || clock_gettime(clock, &used) != 0) return -1;
+  return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
+}
+
+bool Child::ended() {
+  if (reaped_ || pid_ <= 0) return true;
+  pid_t got;
+  while ((got = waitpid(pid_, &status_, WNOHANG)) < 0 && errno == EINTR) continue;
+  reaped_ = got == pid_;
+  if (reaped_ && information_ >= 0) close(information_), information_ = -1;
+  return reaped_;
+}
+
+int Child::end() {
+  if (ended()) return status_;
+  const pid_t inside = first_inside();
+  // Killing the namespace's first process kills everything in it before bubblewrap sees it end.
+  if (inside <= 0 || kill(inside, SIGKILL) != 0) kill(pid_, SIGKILL);
+  if (!layers().namespaces) kill(-pid_, SIGKILL);
+  for (int waited = 0; !ended(); ++waited) {
+    if (waited == 2000) kill(pid_, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(waited < 20 ? 0 : 1));
+  }
+  return status_;
+}
+
+std::vector<std::string> isolation(Profile profile) {
+  const Layers& l = layers();
+  const bool worker = profile == Profile::worker;
+  std::vector<std::string> lines;
+  lines.push_back(l.drops_user ? "user: nobody"
+                               : "user: the one who runs rigor (only root can hand a process to nobody)");
+  if (l.namespaces)
+    lines.push_back(std::string("bubblewrap: user, process, network, mount, IPC, host-name and cgroup namespaces of "
+                                "its own; sees ") +
+                    (worker ? "no file but its own program" : "/usr, the kit and the submission"));
+  else
+    lines.push_back(std::string("process only: ") +
+                    (l.bubblewrap ? "bubblewrap is here but this machine refuses it namespaces"
+                                  : "bubblewrap is not installed"));
+  if (l.filter)
+    lines.push_back(worker ? "system calls: an allow-list (no file, network, process, thread or signal to others)"
+                           : "system calls: network, tracing, mounts and kernel interfaces refused");
+  else
+    lines.push_back("system calls: not filtered (this kernel refuses a filter)");
+  lines.push_back(worker ? "limits: processor, memory, output; no files written"
+                         : "limits: processor, memory, file size");
+  return lines;
+}
+
+std::string signal_words(int number) {
+  switch (number) {
+    case SIGSEGV: return "a segmentation fault (it touched memory that is not its own)";
+    case SIGABRT: return "abort() (a failed assertion, or an exception nobody caught)";
+    case SIGFPE: return "an arithmetic error (an integer divided by zero)";
+    case SIGILL: return "an illegal instruction (often a function without a return)";
+    case SIGBUS: return "a bus error (memory that is not there)";
+    case SIGKILL: return "the kernel (killed)";
+    case SIGXCPU: return "the limit on processor time";
+    case SIGXFSZ: return "the limit on file size";
+    default: return "signal " + std::to_string(number);
+  }
+}
+
+bool hand_over(const fs::path& path) {
+  return !layers().drops_user || lchown(path.c_str(), nobody, nobody) == 0;
+}
+
+}  // namespace rigor::grader

@@ -1,0 +1,2 @@
+#pragma once
+// Visual Studio's precompiled header; here there is nothing in it.
