@@ -21,7 +21,8 @@ class Rational {
   Rational() : value_(0) {}
   Rational(int i) : value_(i) {}
   Rational(long i) : value_(i) {}
-  Rational(long numerator, long denominator) : value_(numerator, denominator) {}
+  /// Any sign; a zero denominator throws. (Boost 1.74's own two-argument constructor reads −4 as 2^64 − 4.)
+  Rational(long numerator, long denominator) : value_(numerator) { *this /= Rational(denominator); }
   explicit Rational(Fraction value) : value_(std::move(value)) {}
   /// "3/7" or "-12".
   explicit Rational(const std::string& digits) : value_(digits) {}
