@@ -157,3 +157,33 @@ Proof.
     rewrite D. vring. }
   rewrite !G in F. exact F.
 Qed.
+Lemma vadd_cancel a b c : vadd a b = vadd a c -> b = c.
+Proof. destruct a, b, c. vunfold. intros E; injection E; intros. apply Veq; cbn; lra. Qed.
+(* A matrix is what it does to vectors. *)
+Lemma mv_ext A B : (forall u, mv A u = mv B u) -> A = B.
+Proof.
+  intros H. pose proof (H (V3 1 0 0)) as E1. pose proof (H (V3 0 1 0)) as E2. pose proof (H (V3 0 0 1)) as E3.
+  destruct A, B. revert E1 E2 E3. vunfold. intros E1 E2 E3. injection E1; injection E2; injection E3. intros.
+  apply Meq; cbn; lra.
+Qed.
+Lemma sym_tr A : sym A <-> tr A = A.
+Proof.
+  destruct A as [a b c d e f g h i]. unfold sym. vunfold. split.
+  - intros (-> & -> & ->). reflexivity.
+  - intros E; injection E; intros; subst; auto.
+Qed.
+Lemma posdef_diag a : 0 < vx a -> 0 < vy a -> 0 < vz a -> posdef (diag a).
+Proof.
+  destruct a as [p q r]; cbn [vx vy vz]. intros Hp Hq Hr [x y z] Hu. pose proof (dot_self_pos _ Hu) as P. revert P.
+  vunfold. intros P.
+  assert (X : 0 <= x * x) by nra. assert (Y : 0 <= y * y) by nra. assert (Z : 0 <= z * z) by nra.
+  set (m := Rmin p (Rmin q r)).
+  assert (Hm : 0 < m) by (unfold m; repeat apply Rmin_glb_lt; assumption).
+  assert (m <= p) by apply Rmin_l.
+  assert (m <= q) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
+  assert (m <= r) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_r]).
+  assert (m * (x * x) <= p * (x * x)) by (apply Rmult_le_compat_r; assumption).
+  assert (m * (y * y) <= q * (y * y)) by (apply Rmult_le_compat_r; assumption).
+  assert (m * (z * z) <= r * (z * z)) by (apply Rmult_le_compat_r; assumption).
+  assert (0 < m * (x * x + y * y + z * z)) by (apply Rmult_lt_0_compat; assumption). lra.
+Qed.
