@@ -4,17 +4,18 @@
 
 namespace rigor::layout {
 
-/// A public function template of a formula header, with what its docstring says about ids.
+/// A public function (template or inline) of a formula header, with what its docstring says about ids.
 struct Formula {
   std::string file, function, scalar;  ///< scalar: the concept of its first template parameter
   std::vector<std::string> ids;
   std::string no_id;  ///< the reason on a line `no id  reason`, or empty
 };
 
-/// Function templates at namespace level (outside `namespace detail`); `text` is one header.
+/// Functions at namespace level (outside `namespace detail`); `text` is one header.
 inline std::vector<Formula> formulas_in(const std::string& file, const std::string& text) {
-  static const std::regex opening(R"(^template <(?:class|typename|(\w+)) \w+.*)"), type(R"(^(struct|class|concept|using|inline constexpr|constexpr) .*)"),
-      name(R"((\w+)\()"), id(R"(^/// id\s+(\S+)\s*$)"), no_id(R"(^/// no id\s+(\S.*)$)");
+  static const std::regex opening(R"(^template <(?:class|typename|(\w+)) \w+.*)"), inline_function(R"(^inline [^=]*\(.*)"),
+      type(R"(^(struct|class|concept|using|inline constexpr|constexpr) .*)"), name(R"((\w+)\()"),
+      id(R"(^/// id\s+(\S+)\s*$)"), no_id(R"(^/// no id\s+(\S.*)$)");
   const std::vector<std::string> lines = lines_of(text);
   std::vector<Formula> found;
   bool in_detail = false;
@@ -22,9 +23,10 @@ inline std::vector<Formula> formulas_in(const std::string& file, const std::stri
     if (starts(lines[i], "namespace detail")) in_detail = true;
     if (starts(lines[i], "}  // namespace detail")) in_detail = false;
     std::smatch match;
-    if (in_detail || !std::regex_match(lines[i], match, opening)) continue;
-    Formula formula{file, "", match[1], {}, ""};
-    std::size_t next = i + 1;
+    const bool plain = std::regex_match(lines[i], inline_function);
+    if (in_detail || !(plain || std::regex_match(lines[i], match, opening))) continue;
+    Formula formula{file, "", plain ? "" : match[1].str(), {}, ""};
+    std::size_t next = plain ? i : i + 1;
     while (next < lines.size() && starts(lines[next], "  requires")) ++next;
     if (next == lines.size() || std::regex_match(lines[next], type)) continue;
     if (!std::regex_search(lines[next], match, name)) continue;

@@ -138,6 +138,8 @@ TEST(Gate, SeesEachKindOfGap) {
   const auto excused = formulas_in("f.hpp", "/// no id  sums two others\ntemplate <Field T>\nT law(const T& x) {\n");
   EXPECT_EQ(excused.at(0).no_id, "sums two others");
   EXPECT_TRUE(formulas_in("f.hpp", "template <Field T>\nstruct State {\n").empty());
+  EXPECT_EQ(formulas_in("f.hpp", "/// A law.\ninline double law(double x) {\n").at(0).function, "law");
+  EXPECT_TRUE(formulas_in("f.hpp", "namespace detail {\ninline double law(double x) {\n").empty());
 }
 
 }  // namespace rigor::layout

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <future>
 #include <regex>
+#include <set>
 #include <tests/layout/formulas.hpp>
 #include <thread>
 
@@ -75,8 +76,13 @@ TEST(Headers, OpenNoNamespace) {
   EXPECT_FALSE(has_using_namespace("// using namespace is for .cpp files\n"));
 }
 
-TEST(Formulas, HaveNoDecimalLiteral) {
-  for (const std::string& file : files_below("src/formulas", {".hpp"}))
+// A formula for any scalar must not name a double. (A method that is one in double only may.)
+TEST(Formulas, ForAnyScalarHaveNoDecimalLiteral) {
+  std::set<std::string> generic;
+  for (const Formula& f : all_formulas())
+    if (!f.scalar.empty()) generic.insert(f.file);
+  EXPECT_GE(generic.size(), 24u);
+  for (const std::string& file : generic)
     EXPECT_FALSE(has_decimal_literal(read(source / file))) << file << ": write T(1) / T(2), not 0.5";
   for (const char* planted : {"return 0.5 * x;", "x = 1e-9;", "x > .5;", "return 2.*x;"})
     EXPECT_TRUE(has_decimal_literal(planted)) << planted;

@@ -6,6 +6,8 @@
 #include <rigor/formulas/cuboid_inverse_inertia.hpp>
 #include <rigor/formulas/effective_mass.hpp>
 #include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_coulomb.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
 #include <rigor/formulas/momentum.hpp>
@@ -36,6 +38,10 @@ template V cuboid_inertia<Strict>(const S&, const V&);
 template V cuboid_inverse_inertia<Strict>(const V&);
 template M effective_inverse_mass<Strict>(const ImpactBody<S>&, const ImpactBody<S>&);
 template Wrench<S> add_force<Strict>(const Wrench<S>&, const V&, const V&);
+template V impulse_cancelling<Strict>(const M&, const V&);
+template FrictionImpact<S> coulomb_impulse<Strict>(const M&, const V&, const V&, const V&, const S&, const S&, const S&);
+template S sheet_friction_impulse<Strict>(const S&, const S&, const S&, const S&, const S&);
+template S sheet_literal_friction_impulse<Strict>(const S&, const S&, const S&);
 template S kinetic_energy<Strict>(const S&, const M&, const V&, const V&);
 template S impulse_energy<Strict>(const V&, const V&, const V&);
 template V linear_acceleration<Strict>(const S&, const V&);

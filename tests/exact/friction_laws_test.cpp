@@ -1,0 +1,331 @@
+#include <gtest/gtest.h>
+#include <rigor/formulas/friction_coulomb.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
+#include <rigor/formulas/friction_stronge.hpp>
+#include <rigor/formulas/friction_stronge_planar.hpp>
+#include <tests/exact/draw.hpp>
+
+#include <map>
+
+namespace rigor {
+namespace {
+
+/// An approaching contact whose slip has a rational direction: K of two cuboids, v_r = v_n n + v_t t.
+struct Slipping {
+  Mat3<Q> K;
+  Vec3<Q> n, t, v_r;
+  Q v_n, v_t, e, mu_s, mu_d;
+};
+
+Slipping draw_slipping(Draw& draw) {
+  const Meeting m = draw_meeting(draw);
+  const Mat3<Q> R = draw.rotation();
+  Slipping s{effective_inverse_mass<Q>(m.A(), m.B()), R.col(0), R.col(1), {}, -draw.positive(), draw.positive(), m.e, {}, {}};
+  s.v_r = s.v_n * s.n + s.v_t * s.t;
+  s.mu_s = draw.positive() / Q(4);  // in [0, 2]
+  s.mu_d = s.mu_s * draw.fraction();
+  return s;
+}
+
+Vec3<Q> after(const Slipping& s, const Vec3<Q>& j) { return s.v_r + s.K * j; }
+
+/// Routh's process followed moment by moment: the witness of planar_impulse. It knows Coulomb's law at one moment and
+/// that velocities are linear between events; nothing about how many legs there are.
+struct Process {
+  Q k_nn, k_tt, k_tn, mu_s, mu_d;
+  Q v_n, v_t, p = 0, j_t = 0, work_n = 0, work_t = 0;
+
+  /// dj_t/dp now.
+  Q friction() const {
+    if (Q(0) < v_t) return -mu_d;
+    if (v_t < Q(0)) return mu_d;
+    if (abs(k_tn) <= mu_s * k_tt) return -k_tn / k_tt;
+    return k_tn < Q(0) ? mu_d : -mu_d;
+  }
+  /// Moves on by dp, within which the slip keeps its sign.
+  void move(const Q& dp) {
+    const Q a = friction(), n_before = v_n, t_before = v_t;
+    v_n += (k_nn + a * k_tn) * dp;
+    v_t += (k_tn + a * k_tt) * dp;
+    p += dp;
+    j_t += a * dp;
+    work_n += (n_before + v_n) / Q(2) * dp;
+    work_t += (t_before + v_t) / Q(2) * a * dp;
+  }
+  /// Impulse until the slip stops, or `limit` if it does not before.
+  Q until_stop(const Q& limit) const {
+    const Q rate = k_tn + friction() * k_tt;
+    if (v_t == Q(0) || !(v_t * rate < Q(0))) return limit;
+    const Q stop = -v_t / rate;
+    return stop < limit ? stop : limit;
+  }
+  void move_to(const Q& end) {
+    while (p < end) move(until_stop(end - p));
+  }
+  /// To the moment where v_n = target, v_n below it now. On a leg where v_n falls, to its end.
+  void move_until_v_n(const Q& target) {
+    while (v_n < target) {
+      const Q slope = k_nn + friction() * k_tn, stop = until_stop(Q(1000000));
+      const Q wanted = slope > Q(0) ? (target - v_n) / slope : stop;
+      move(stop < wanted ? stop : wanted);
+    }
+  }
+};
+
+Process process_of(const PlanarImpact<Q>& i) { return {i.k_nn, i.k_tt, i.k_tn, i.mu_s, i.mu_d, i.v_n, i.v_t}; }
+
+PlanarImpact<Q> draw_planar(Draw& draw) {
+  PlanarImpact<Q> i;
+  i.k_nn = draw.positive();
+  i.k_tt = draw.positive();
+  // a coupling with k_tn² < k_nn k_tt: |k_tn| below the smaller of the two
+  const Q smaller = i.k_nn < i.k_tt ? i.k_nn : i.k_tt;
+  i.k_tn = (draw.fraction() * Q(2) - Q(1)) * smaller;
+  i.v_n = -draw.positive();
+  i.v_t = draw.integer(0, 7) == 0 ? Q(0) : draw.positive();
+  i.mu_s = draw.positive() / Q(4);
+  i.mu_d = i.mu_s * draw.fraction();
+  i.e = draw.fraction();
+  return i;
+}
+
+Q energy_change(const PlanarImpact<Q>& i, const PlanarImpulse<Q>& j) {
+  const Q v_n = i.v_n + i.k_nn * j.j_n + i.k_tn * j.j_t, v_t = i.v_t + i.k_tn * j.j_n + i.k_tt * j.j_t;
+  return (j.j_n * (i.v_n + v_n) + j.j_t * (i.v_t + v_t)) / Q(2);
+}
+
+// The cube's corner of the catalogue: m = 1, edge 1, contact at (−1/2, −1/2): I = 1/6, k_nn = k_tt = 1 + 6/4.
+PlanarImpact<Q> corner(const Q& mu) { return {Q(5, 2), Q(5, 2), Q(-3, 2), Q(-1), Q(1, 2), Q(1), mu, mu}; }
+
+}  // namespace
+
+// case P-13 (friction cone), FR-11: the sheet's rule for a point mass.
+// id: friction.sheet
+TEST(SheetFriction, StopsAPointMassIfTheStaticBoundAllowsItAndNeverReversesIt) {
+  Draw draw(61);
+  int stopped = 0, slid = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Q m = draw.positive(), j_r = draw.positive(), s = draw.positive(), mu_s = draw.positive();
+    const Q mu_d = mu_s * draw.fraction();
+    const Q j = sheet_friction_impulse<Q>(m, mu_s, mu_d, j_r, s), s_after = s - j / m;
+    EXPECT_GE(j, Q(0));
+    EXPECT_LE(j, mu_s * j_r);
+    EXPECT_GE(s_after, Q(0));
+    if (m * s <= mu_s * j_r) {
+      EXPECT_EQ(s_after, Q(0));
+      ++stopped;
+    } else {
+      EXPECT_EQ(j, mu_d * j_r);
+      ++slid;
+    }
+  }
+  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(1)), Q(2));      // m s = μ_s j_r: it sticks
+  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(11, 10)), Q(1));  // just beyond: μ_d j_r
+  EXPECT_GT(stopped, 0);
+  EXPECT_GT(slid, 0);
+}
+
+// The printed conditions: the static coefficient has no say, and a small slip of a point mass is reversed.
+// id: friction.sheet_literal
+TEST(SheetLiteralFriction, GivesEverySlipTheFullDynamicImpulseAndReversesSmallOnes) {
+  Draw draw(62);
+  for (int i = 0; i < draws; ++i) {
+    const Q m = draw.positive(), j_r = draw.positive(), mu_d = draw.positive(), part = draw.fraction();
+    const Q s = part * mu_d * j_r / m;
+    EXPECT_EQ(sheet_literal_friction_impulse<Q>(mu_d, j_r, s), mu_d * j_r);
+    EXPECT_LE(s - sheet_literal_friction_impulse<Q>(mu_d, j_r, s) / m, Q(0));
+    EXPECT_EQ(sheet_literal_friction_impulse<Q>(mu_d, j_r, Q(0)), Q(0));
+  }
+}
+
+TEST(ImpulseCancelling, SolvesTheSystem) {
+  Draw draw(63);
+  for (int i = 0; i < draws; ++i) {
+    const Slipping s = draw_slipping(draw);
+    EXPECT_EQ(Vec3<Q>(s.K * impulse_cancelling<Q>(s.K, s.v_r)), Vec3<Q>(-s.v_r));
+  }
+}
+
+// Every outcome obeys the law it names. case FR-09 is the uncoupled special case below.
+// id: friction.coulomb
+TEST(CoulombFriction, ObeysNewtonsRestitutionAndTheConeInEveryOutcome) {
+  Draw draw(64);
+  std::map<FrictionOutcome, int> seen;
+  for (int i = 0; i < 200; ++i) {
+    const Slipping s = draw_slipping(draw);
+    const auto [j, outcome] = coulomb_impulse<Q>(s.K, s.v_r, s.n, s.t, s.e, s.mu_s, s.mu_d);
+    ++seen[outcome];
+    const Vec3<Q> v = after(s, j), v_t = v - v.dot(s.n) * s.n, j_t = j - j.dot(s.n) * s.n;
+    const Q j_n = j.dot(s.n);
+    EXPECT_EQ(v.dot(s.n), -s.e * s.v_n);
+    EXPECT_GT(j_n, Q(0));
+    EXPECT_LE(j_t.dot(j_t), s.mu_s * s.mu_s * j_n * j_n);
+    const bool sliding = outcome == FrictionOutcome::slid || outcome == FrictionOutcome::slip_stopped_inside;
+    if (outcome == FrictionOutcome::stuck) {
+      EXPECT_EQ(v_t, zero3<Q>());
+    }
+    if (sliding) {
+      EXPECT_EQ(j_t, Vec3<Q>(-s.mu_d * j_n * s.t));
+      EXPECT_EQ(v.dot(s.t) < Q(0), outcome == FrictionOutcome::slip_stopped_inside);
+    }
+    if (outcome == FrictionOutcome::jammed) {
+      EXPECT_EQ(j_t, zero3<Q>());
+      EXPECT_LE(s.n.dot(Vec3<Q>(s.K * (s.n - s.mu_d * s.t))), Q(0));
+    }
+  }
+  for (const FrictionOutcome outcome : {FrictionOutcome::stuck, FrictionOutcome::slid, FrictionOutcome::slip_stopped_inside})
+    EXPECT_GT(seen[outcome], 5);
+}
+
+// case FR-15: where sliding has no solution the answer says so, and only there. The slip runs into the contact with
+// k_tn = 1/2, k_nn = 2, so the bound is μ = 4; the coupling across makes the stick trial ask for |j_t|/j_n = 4.64.
+TEST(CoulombFriction, SaysJammedFromTheVanishingDenominatorOn) {
+  Mat3<Q> K;  // axes t, n, across
+  K << Q(3), Q(1, 2), Q(-1, 2), Q(1, 2), Q(2), Q(-1, 2), Q(-1, 2), Q(-1, 2), Q(3);
+  const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0)), v_r = Q(1000) * t - n;
+  const auto outcome = [&](const Q& mu) { return coulomb_impulse<Q>(K, v_r, n, t, Q(1), mu, mu).outcome; };
+  EXPECT_EQ(outcome(Q(4) - Q(1, 1000)), FrictionOutcome::slip_stopped_inside);
+  EXPECT_EQ(outcome(Q(4)), FrictionOutcome::jammed);
+  EXPECT_EQ(outcome(Q(9, 2)), FrictionOutcome::jammed);
+  EXPECT_EQ(outcome(Q(5)), FrictionOutcome::stuck);
+}
+
+// case FR-14: a cube's planar corner has its Painlevé bound at μ = 5/3. In the plane the bound is never met: with μ ≥ k_nn/k_tn
+// the stick trial's |j_t|/j_n = (k_nn v_t + k_tn a)/(k_tn v_t + k_tt a) is a mediant of k_nn/k_tn and k_tn/k_tt < k_nn/k_tn.
+TEST(CoulombFriction, InThePlaneSticksBeforeItCouldJam) {
+  Mat3<Q> K;
+  K << Q(5, 2), Q(3, 2), Q(0), Q(3, 2), Q(5, 2), Q(0), Q(0), Q(0), Q(4);
+  const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0));
+  EXPECT_EQ(n.dot(Vec3<Q>(K * (n - Q(5, 3) * t))), Q(0));
+  for (long v_t : {1L, 9L, 1000L, 1000000L})
+    EXPECT_EQ(coulomb_impulse<Q>(K, Vec3<Q>(Q(v_t) * t - n), n, t, Q(1), Q(5, 3), Q(5, 3)).outcome, FrictionOutcome::stuck);
+}
+
+// case FR-09: without coupling j_t = −min(μ j_n, v_t/k_tt), j_n = −(1 + e)v_n/k_nn; a cube's face centre that sticks
+// keeps 3/5 of its speed: k_tt = 1 + 6/4, v_x' = v_x − v_x/k_tt = 3/5 v_x.
+TEST(CoulombFriction, WithoutCouplingIsTheClampedStop) {
+  Draw draw(65);
+  for (int i = 0; i < 40; ++i) {
+    const Mat3<Q> R = draw.rotation();
+    const Vec3<Q> t = R.col(0), n = R.col(1);
+    const Q k_tt = draw.positive(), k_nn = draw.positive(), mu = draw.positive() / Q(4), e = draw.fraction();
+    const Q v_n = -draw.positive(), v_t = draw.positive();
+    const Mat3<Q> K = R * Vec3<Q>(k_tt, k_nn, draw.positive()).asDiagonal() * R.transpose();
+    const Vec3<Q> j = coulomb_impulse<Q>(K, Vec3<Q>(v_n * n + v_t * t), n, t, e, mu, mu).j_W;
+    const Q j_n = -(Q(1) + e) * v_n / k_nn, bound = mu * j_n, stop = v_t / k_tt;
+    EXPECT_EQ(j, Vec3<Q>(j_n * n - (stop < bound ? stop : bound) * t));
+  }
+  Mat3<Q> K = identity3<Q>() * Q(5, 2);
+  K(1, 1) = 1;
+  const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0)), v_r(Q(1, 2), Q(-1), Q(0));
+  EXPECT_EQ(coulomb_impulse<Q>(K, v_r, n, t, Q(0), Q(1), Q(1)).j_W[0], Q(-1, 5));  // Δv_x = −2/5 · 1/2
+}
+
+// case FR-13: against the process, leg by leg, for random planar impacts in all modes.
+// id: friction.stronge_planar
+TEST(PlanarImpact, IsTheProcessFollowedMomentByMoment) {
+  Draw draw(66);
+  std::map<PlanarMode, int> seen;
+  for (int i = 0; i < 200; ++i) {
+    const PlanarImpact<Q> impact = draw_planar(draw);
+    Process process = process_of(impact);
+    process.move_until_v_n(Q(0));
+    const Q p_c = process.p;
+
+    const PlanarImpulse<Q> poisson = planar_impulse<Q>(impact, Restitution::poisson);
+    Process to_poisson = process;
+    to_poisson.move_to((Q(1) + impact.e) * p_c);
+    EXPECT_EQ(poisson.j_n, to_poisson.p);
+    EXPECT_EQ(poisson.j_t, to_poisson.j_t);
+    EXPECT_EQ(energy_change(impact, poisson), to_poisson.work_n + to_poisson.work_t);
+    ++seen[poisson.mode];
+
+    const PlanarImpulse<Q> newton = planar_impulse<Q>(impact, Restitution::newton);
+    Process to_newton = process;
+    to_newton.move_until_v_n(-impact.e * impact.v_n);
+    EXPECT_EQ(newton.j_n, to_newton.p);
+    EXPECT_EQ(newton.j_t, to_newton.j_t);
+  }
+  EXPECT_GT(seen[PlanarMode::sliding], 5);
+  EXPECT_GT(seen[PlanarMode::sticking], 5);
+  EXPECT_GT(seen[PlanarMode::reversed], 5);
+}
+
+// Stronge's end is a root; it is rational where v² + 2σw is a square. The end p_f is drawn, and e² follows from the works of
+// the process, e² = −W_r/W_c; where that e is rational and at most 1 the law must find p_f again.
+TEST(PlanarImpact, EndsByStrongesRuleWhereTheWorksSaySo) {
+  Draw draw(67);
+  int found = 0, two_legs = 0;
+  for (int i = 0; i < 4000 && found < 60; ++i) {
+    // small numbers, so that squares are not too rare
+    PlanarImpact<Q> impact{Q(draw.integer(1, 4)), Q(draw.integer(1, 4)), Q(0), Q(-draw.integer(1, 4)), Q(draw.integer(0, 4)), Q(0), Q(0), Q(0)};
+    const long smaller = impact.k_nn < impact.k_tt ? long(double(impact.k_nn)) : long(double(impact.k_tt));
+    impact.k_tn = Q(draw.integer(-2 * smaller + 1, 2 * smaller - 1), 2);
+    impact.mu_s = Q(draw.integer(0, 8), 4), impact.mu_d = impact.mu_s;
+    Process process = process_of(impact);
+    process.move_until_v_n(Q(0));
+    const Q p_c = process.p, W_c = process.work_n;
+    process.move_to(p_c * (Q(1) + Q(draw.integer(0, 6), 6)));
+    const Q e_squared = -(process.work_n - W_c) / W_c;
+    if (Q(1) < e_squared) continue;
+    try {
+      impact.e = sqrt(e_squared);
+    } catch (const std::domain_error&) {
+      continue;
+    }
+    const PlanarImpulse<Q> j = planar_impulse<Q>(impact, Restitution::stronge);
+    EXPECT_EQ(j.j_n, process.p);
+    EXPECT_EQ(j.j_t, process.j_t);
+    EXPECT_EQ(energy_change(impact, j), (Q(1) - e_squared) * W_c + process.work_t);
+    EXPECT_LE(energy_change(impact, j), Q(0));
+    ++found;
+    two_legs += Q(0) < impact.v_t && j.mode != PlanarMode::sliding;
+  }
+  EXPECT_EQ(found, 60);
+  EXPECT_GT(two_legs, 5);
+}
+
+// case FR-10, FR-12: the published fractions of the cube's corner.
+TEST(PlanarImpact, HasTheFractionsOfTheCubesCorner) {
+  const PlanarImpact<Q> sticks = corner(Q(1)), reverses = corner(Q(1, 2));
+  const auto newton = planar_impulse<Q>(sticks, Restitution::newton);
+  EXPECT_EQ(newton.j_t, Q(7, 16));
+  EXPECT_EQ(newton.j_n, Q(17, 16));
+  EXPECT_EQ(energy_change(sticks, newton), Q(7, 64));  // Newton creates energy
+  const auto poisson = planar_impulse<Q>(sticks, Restitution::poisson);
+  EXPECT_EQ(poisson.j_t, Q(13, 40));
+  EXPECT_EQ(poisson.j_n, Q(7, 8));
+  EXPECT_EQ(energy_change(sticks, poisson), Q(-1, 20));
+
+  const auto reversed = planar_impulse<Q>(reverses, Restitution::poisson);
+  EXPECT_EQ(reversed.mode, PlanarMode::reversed);
+  EXPECT_EQ(reversed.j_n, Q(64, 77));
+  EXPECT_EQ(double(energy_change(reverses, reversed)), -0.0738741777702816664);
+  EXPECT_EQ(double(energy_change(reverses, planar_impulse<Q>(reverses, Restitution::newton))), 0.0465508517456569405);
+}
+
+// friction.stronge is a method in double; with e = 0 its end is the end of compression, and in the plane of a K that
+// keeps the plane that is rational. Its header promises about 1e-11.
+// id: friction.stronge
+TEST(StrongeImpact, WithoutRestitutionIsTheEndOfCompressionOfTheProcess) {
+  Draw draw(68);
+  int turned = 0;
+  for (int i = 0; i < 100; ++i) {
+    PlanarImpact<Q> impact = draw_planar(draw);
+    Process process = process_of(impact);
+    process.move_until_v_n(Q(0));
+    const Mat3<Q> R = draw.rotation();
+    Mat3<Q> K_axes = zero33<Q>();
+    K_axes << impact.k_tt, impact.k_tn, Q(0), impact.k_tn, impact.k_nn, Q(0), Q(0), Q(0), draw.positive();
+    const Mat3<Q> K = R * K_axes * R.transpose();
+    const Vec3<Q> n = R.col(1), t = R.col(0), v_r = impact.v_n * n + impact.v_t * t, j = process.p * n + process.j_t * t;
+    const auto rounded = [](const auto& x) { return x.unaryExpr([](const Q& q) { return double(q); }).eval(); };
+    const Vec3<double> got = stronge_impulse(rounded(K), rounded(v_r), rounded(n), 0, double(impact.mu_s), double(impact.mu_d)).j_W;
+    const Vec3<double> want = rounded(j);
+    EXPECT_LE((got - want).norm(), 1e-11 * want.norm()) << i;
+    turned += process.v_t <= Q(0);
+  }
+  EXPECT_GT(turned, 10);
+}
+
+}  // namespace rigor
