@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <rigor/base/outcome.hpp>
 #include <rigor/grader/submission.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,12 @@ struct BuildOptions {
   std::filesystem::path cache;  ///< objects and precompiled headers by content; empty: `default_cache()`
   int jobs = 1;                 ///< compilers at a time
   bool sanitize = false;        ///< address and undefined-behaviour sanitizers: advice, not for grading
+  /// Functions to be replaced by the handed-out ones although they compile: a function every other one runs
+  /// through (body_inertia, in the constructor) and that crashes or hangs need not cost the rest.
+  std::set<StudentFunction> replaced;
 };
 
-/// /var/cache/rigor for root, else $XDG_CACHE_HOME/rigor or ~/.cache/rigor.
+/// $RIGOR_CACHE, else /var/cache/rigor for root, else $XDG_CACHE_HOME/rigor or ~/.cache/rigor.
 std::filesystem::path default_cache();
 
 /// A submission compiled against the kit and the driver. The executable lies in the cache and stays valid.

@@ -23,7 +23,7 @@ struct Submission {
   std::string hash;                ///< of everything above: same hash, same grade
 
   /// nullptr when the submission does not bring it.
-  const SourceFile* find(const std::string& name) const;
+  const SourceFile* find(const std::string& file_name) const;
 };
 
 /// Reads a directory. Expected files are found by base name at any depth and in any letter case; the window
