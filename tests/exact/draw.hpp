@@ -21,15 +21,22 @@ constexpr int draws = 8;
 /// inertia) holds exactly, by a rational parametrisation.
 class Draw {
  public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  /// `reach` bounds the numerators; small ones make long computations cheap and identities easier to pass by accident.
+  explicit Draw(std::uint64_t seed, long reach = 1L << 31) : reach_(reach), random_(seed) {}
 
   /// In [low, high], the same on every standard library (the distributions of <random> are not).
   long integer(long low, long high) { return low + long(random_() % std::uint64_t(high - low + 1)); }
-  /// In [−8, 8], 2^32 numerators.
-  Q number() { return Q(integer(-(1L << 31), 1L << 31), (1L << 28) + integer(0, 63)); }
-  Q positive() { return Q(integer(1, 1L << 31), (1L << 28) + integer(0, 63)); }
+  /// In [−8, 8], 2 reach numerators.
+  Q number() {
+    const long numerator = integer(-reach_, reach_);
+    return Q(numerator, reach_ / 8 + integer(0, 63));
+  }
+  Q positive() {
+    const long numerator = integer(1, reach_);
+    return Q(numerator, reach_ / 8 + integer(0, 63));
+  }
   /// In [0, 1].
-  Q fraction() { return Q(integer(0, 1L << 32), 1L << 32); }
+  Q fraction() { return Q(integer(0, reach_), reach_); }
   Vec3<Q> vector() {
     const Q x = number(), y = number(), z = number();
     return Vec3<Q>(x, y, z);
@@ -63,6 +70,7 @@ class Draw {
   }
 
  private:
+  long reach_;
   std::mt19937_64 random_;
 };
 
