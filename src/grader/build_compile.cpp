@@ -74,6 +74,10 @@ fs::path first_that_exists(const std::vector<fs::path>& paths) {
   return {};
 }
 
+bool in_kit(const Text& text) {
+  return text.path.starts_with("src/kit/") || text.path == "src/grader/protocol.hpp";
+}
+
 /// Ours to write, everybody's to read and to pass through.
 Outcome<bool> open_directory(const fs::path& path) {
   const Fault fault{Fault::Kind::unwritable, path.string(), "cannot be used as a cache: "};
@@ -154,7 +158,8 @@ Outcome<Toolchain> toolchain(const fs::path& cache, bool sanitize) {
 
   std::string all = key_of(version.output, tools.eigen.string());
   for (const std::string& flag : tools.flags) all += key_of(flag);
-  for (const Text& text : texts()) all += key_of(text.path, text.content);
+  for (const Text& text : texts())
+    if (in_kit(text)) all += key_of(text.path, text.content);
   tools.key = sha256(all).substr(0, 24);
   tools.kit = cache / ("kit-" + tools.key);
   for (const fs::path& dir : {tools.kit / "include", tools.kit, tools.eigen})
@@ -163,6 +168,7 @@ Outcome<Toolchain> toolchain(const fs::path& cache, bool sanitize) {
   if (fs::exists(tools.kit / "include" / "kit.hpp.gch", ec)) return tools;
 
   for (const Text& text : texts()) {
+    if (!in_kit(text)) continue;
     const fs::path path = text.path;
     const fs::path to = text.path.starts_with("src/kit/") ? path.lexically_relative("src/kit") : path.filename();
     if (const auto written = write_file(tools.kit / to, std::string(text.content)); !written) return written.fault();

@@ -336,21 +336,4 @@ std::string handed_out_body(StudentFunction function) {
   }
 }
 
-std::string handed_out_definition(StudentFunction function) {
-  const std::string body = " " + handed_out_body(function);
-  switch (function) {
-    case StudentFunction::body_inertia: return "void Cuboid::computeBodyCoordsMOI()" + body;
-    case StudentFunction::world_inertia: return "Matrix3x3 Cuboid::computeWorldCoordsMOI()" + body;
-    case StudentFunction::world_inverse_inertia: return "Matrix3x3 Cuboid::computeWorldCoordsInverseMOI()" + body;
-    case StudentFunction::apply_force: return "void Cuboid::applyForce(P3D worldPosition, V3D force)" + body;
-    case StudentFunction::update: return "void Cuboid::update(double delta)" + body;
-    case StudentFunction::friction_tangent: return "V3D CollisionPlane::frictionTangent(Cuboid &c, P3D &p)" + body;
-    case StudentFunction::plane_response: return "void CollisionPlane::applyCollisionResponse(Cuboid &c)" + body;
-    case StudentFunction::pair_response:
-      return "void ParticleSystem::applyCollisionImpulse(Cuboid &c1, Cuboid &c2, P3D &collisionPoint, "
-             "V3D &collisionNormal)" + body;
-  }
-  return "";
-}
-
 }  // namespace rigor::grader

@@ -40,7 +40,4 @@ bool is_handed_out(StudentFunction function, std::string_view body);
 /// The body the function is replaced by: what was handed out.
 std::string handed_out_body(StudentFunction function);
 
-/// A whole definition of it, "void Cuboid::update(double delta) { ... }".
-std::string handed_out_definition(StudentFunction function);
-
 }  // namespace rigor::grader

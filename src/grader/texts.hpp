@@ -4,7 +4,8 @@
 
 namespace rigor::grader {
 
-/// A file of src/kit (or protocol.hpp) carried inside the program, so that it compiles submissions anywhere.
+/// A file of src/kit (and protocol.hpp, and build*.cpp for their hash) carried inside the program, so that it
+/// compiles submissions anywhere.
 struct Text {
   std::string_view path;  ///< from the root of the repository, "src/kit/include/MathLib/V3D.h"
   std::string_view content;
