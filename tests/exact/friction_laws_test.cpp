@@ -99,7 +99,7 @@ PlanarImpact<Q> corner(const Q& mu) { return {Q(5, 2), Q(5, 2), Q(-3, 2), Q(-1),
 
 }  // namespace
 
-// case P-13 (friction cone), FR-11: the sheet's rule for a point mass.
+// The sheet's rule for a point mass.
 // id: friction.sheet
 TEST(SheetFriction, StopsAPointMassIfTheStaticBoundAllowsItAndNeverReversesIt) {
   Draw draw(61);
