@@ -8,6 +8,9 @@
 #include <rigor/formulas/cuboid_inertia.hpp>
 #include <rigor/formulas/cuboid_inverse_inertia.hpp>
 #include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_coulomb.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
+#include <rigor/formulas/friction_stronge_planar.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
@@ -65,6 +68,31 @@ struct Coq<Mat3<T>> {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) text += " " + m(i, j).term();
     return text + ")";
+  }
+};
+
+template <>
+struct Coq<FrictionOutcome> {
+  static std::string write(FrictionOutcome x) {
+    switch (x) {
+      case FrictionOutcome::stuck: return "stuck";
+      case FrictionOutcome::slid: return "slid";
+      case FrictionOutcome::slip_stopped_inside: return "slip_stopped_inside";
+      case FrictionOutcome::jammed: return "jammed";
+    }
+    throw std::logic_error("FrictionOutcome");
+  }
+};
+
+template <>
+struct Coq<PlanarMode> {
+  static std::string write(PlanarMode x) {
+    switch (x) {
+      case PlanarMode::sliding: return "sliding";
+      case PlanarMode::sticking: return "sticking";
+      case PlanarMode::reversed: return "reversed";
+    }
+    throw std::logic_error("PlanarMode");
   }
 };
 
@@ -136,6 +164,27 @@ struct Fields<State<T>> {
                                              field(&X::v_WB, "velocity"), field(&X::w_WB, "spin"));
 };
 
+template <>
+struct Fields<FrictionImpact<T>> {
+  using X = FrictionImpact<T>;
+  static constexpr const char* name = "FrictionImpact";
+  static constexpr auto members = std::tuple(field(&X::j_W, "impulse"), field(&X::outcome, "outcome"));
+};
+template <>
+struct Fields<PlanarImpact<T>> {
+  using X = PlanarImpact<T>;
+  static constexpr const char* name = "PlanarImpact";
+  static constexpr auto members =
+      std::tuple(field(&X::k_nn, "k_nn"), field(&X::k_tt, "k_tt"), field(&X::k_tn, "k_tn"), field(&X::v_n, "v_n"),
+                 field(&X::v_t, "v_t"), field(&X::e, "e"), field(&X::mu_s, "mu_s"), field(&X::mu_d, "mu_d"));
+};
+template <>
+struct Fields<PlanarImpulse<T>> {
+  using X = PlanarImpulse<T>;
+  static constexpr const char* name = "PlanarImpulse";
+  static constexpr auto members = std::tuple(field(&X::j_n, "j_n"), field(&X::j_t, "j_t"), field(&X::mode, "mode"));
+};
+
 // The formula as a term: operations as lets, comparisons as if-then-else over both outcomes.
 void write_tree(const std::vector<bool>& script, const std::string& indent, auto run) {
   Recording recording(script);
@@ -196,6 +245,12 @@ void record_all() {
   record("apply_impulse", &apply_impulse<T>, "B before j");
   record("apply_pair_impulse", &apply_pair_impulse<T>, "A B before j");
   record("friction_tangent", &friction_tangent<T>, "v_r f n");
+  record("sheet_friction_impulse", &sheet_friction_impulse<T>, "m mu_s mu_d j_r slip");
+  record("sheet_literal_friction_impulse", &sheet_literal_friction_impulse<T>, "mu_d j_r slip");
+  record("coulomb_impulse", &coulomb_impulse<T>, "K v_r n t e mu_s mu_d");
+  record("planar_impulse_stronge", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::stronge); }, "i");
+  record("planar_impulse_poisson", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::poisson); }, "i");
+  record("planar_impulse_newton", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::newton); }, "i");
   record("positional_correction", &positional_correction<T>, "depth n");
   record("kinetic_energy", &kinetic_energy<T>, "m I v w");
   record("impulse_energy", &impulse_energy<T>, "j v_r_before v_r_after");
