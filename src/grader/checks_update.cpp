@@ -1,0 +1,249 @@
+#include <cmath>
+#include <rigor/formulas/angular_acceleration.hpp>
+#include <rigor/formulas/rotation_rate.hpp>
+#include <rigor/grader/check.hpp>
+
+namespace rigor::grader {
+namespace {
+
+// Any consistent one-step scheme is right ("e.g. symplectic Euler"): the checks look at the limit of small steps.
+// Steps h, h/2, h/4 are combined with weights 1/3, −2, 8/3, which removes the errors of order h and h²; what is left
+// is below 1e-5 in double and 7e-5 where a student computes in float.
+constexpr double limit_bound = 1e-3;
+constexpr double steps[3] = {1.0 / 256, 1.0 / 512, 1.0 / 1024};
+constexpr double weights[3] = {1.0 / 3, -2, 8.0 / 3};
+
+std::vector<Call> ask_limit(const Scenario& s) {
+  std::vector<Call> calls;
+  for (const double h : steps) {
+    Scenario at = s;
+    at.h = at.constants.delta_t = h;  // DELTA_T equals the argument
+    Request q = request(Function::update, at);
+    q.flags = want_helpers;
+    calls.push_back({at.constants, q});
+  }
+  return calls;
+}
+template <class Value>
+Value rate(const std::vector<Reply>& r, Value (*pick)(const BodyRecord&), const Value& before) {
+  Value sum = before * 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += weights[k] / steps[k] * (pick(r[k].A) - before);
+  return sum;
+}
+Vec3<double> velocity(const BodyRecord& b) { return vec(b.velocity); }
+Vec3<double> position(const BodyRecord& b) { return vec(b.position); }
+Vec3<double> spin(const BodyRecord& b) { return vec(b.spin); }
+Mat3<double> rotation(const BodyRecord& b) { return mat(b.rotation); }
+
+Box at_rest(Random& random, bool turned) {
+  Box b = draw_box(random, turned);
+  b.velocity = b.spin = zero3<double>();
+  return b;
+}
+Box cube(Random& random) {
+  Box b = draw_box(random, true);
+  b.size = Vec3<double>::Constant(grid(random, 1.5, 2));
+  b.mass = grid(random, 2.5, 4);  // inertia at least 0.9, away from 1
+  return b;
+}
+
+Scenario draw_linear(Random& random, int) {
+  Scenario s;
+  s.A = draw_box(random, true);
+  s.A.spin = zero3<double>();
+  s.A.force = arrow(random, 4, 9);
+  return s;
+}
+Judgement judge_linear(const Scenario& s, const std::vector<Reply>& r, bool) {
+  const Vec3<double> a = s.A.force / s.A.mass;
+  Judgement j;
+  j.add("dv/dt", "m/s^2", rate(r, velocity, s.A.velocity), a, limit_bound * norm<double>(a));
+  j.add("dx/dt", "m/s", rate(r, position, s.A.position), s.A.velocity, limit_bound * (norm<double>(s.A.velocity) + norm<double>(a) * steps[0]));
+  return j;
+}
+
+Scenario draw_torque(Random& random, bool turned) {
+  Scenario s;
+  s.A = at_rest(random, turned);
+  s.A.torque = arrow(random, 2, 6);
+  return s;
+}
+Scenario draw_gyroscopic(Random& random, bool turned) {
+  Scenario s;
+  s.A = at_rest(random, turned);
+  const Vec3<double> w_B = arrow(random, 0.75, 2);
+  s.A.spin = apply<double>(s.A.R_WB(), w_B);
+  return s;
+}
+Judgement judge_spin(const Scenario& s, const std::vector<Reply>& r, bool own) {
+  const Mat3<double> I = own ? mat(r[0].A_helpers.world_inertia) : s.A.world_inertia();
+  const Mat3<double> inverse = own ? mat(r[0].A_helpers.world_inverse_inertia) : s.A.world_inverse();
+  const Vec3<double> want = angular_acceleration<double>(I, inverse, s.A.spin, s.A.torque);
+  Judgement j;
+  j.add("dw/dt", "rad/s^2", rate(r, spin, s.A.spin), want, limit_bound * norm<double>(want));
+  return j;
+}
+
+Scenario draw_rotation(Random& random, int) {
+  Scenario s;
+  s.A = cube(random);
+  s.A.spin = arrow(random, 0.75, 1.75);
+  return s;
+}
+Judgement judge_rotation(const Scenario& s, const std::vector<Reply>& r, bool) {
+  Judgement j;
+  j.add("dR/dt", "1/s", rate(r, rotation, s.A.R_WB()), rotation_rate<double>(s.A.spin, s.A.R_WB()),
+        limit_bound * norm<double>(s.A.spin));
+  return j;
+}
+bool spin_off_the_axis(const Scenario& s) {  // else [w] R = R [w] and a wrong side is right
+  const Vec3<double> axis(s.A.turn[1], s.A.turn[2], s.A.turn[3]);
+  const double off = norm<double>(cross<double>(axis, s.A.spin)) / (norm<double>(axis) * norm<double>(s.A.spin));
+  return off > 0.3 || !(norm<double>(axis) > 0);
+}
+
+Scenario draw_orthonormal(Random& random, int number) {
+  Scenario s;
+  s.A = cube(random);
+  s.h = s.constants.delta_t = 1.0 / 256;
+  const Vec3<double> w = arrow(random, 2, 4);
+  s.A.spin = w * (5.12 / norm<double>(w));  // |w| dt = 0.02: a naive step is off by 4e-4 at once
+  s.variant = number % 20 == 0 ? 1000 : 1;  // steps
+  return s;
+}
+std::vector<Call> ask_orthonormal(const Scenario& s) {
+  Request q = request(Function::update, s);
+  q.count = std::uint32_t(s.variant);
+  return {{s.constants, q, 2}};
+}
+Judgement judge_orthonormal(const Scenario&, const std::vector<Reply>& r, bool) {
+  const Mat3<double> R = mat(r[0].A.rotation), gram = R.transpose() * R;
+  Judgement j;
+  j.add("R^T R", "1", gram, identity3<double>(), 1e-5);
+  j.add("det R", "1", dot<double>(cross<double>(R.col(0), R.col(1)), R.col(2)), 1, 1e-4);
+  return j;
+}
+
+Scenario draw_clears(Random& random, int) {
+  Scenario s;
+  s.A = draw_box(random, true);
+  s.A.force = arrow(random, 1, 9);
+  s.A.torque = arrow(random, 1, 9);
+  s.constants.delta_t = s.h;
+  return s;
+}
+std::vector<Call> ask_once(const Scenario& s) { return {{s.constants, request(Function::update, s)}}; }
+Judgement judge_clears(const Scenario& s, const std::vector<Reply>& r, bool) {
+  Judgement j;
+  j.add("net force afterwards", "N", vec(r[0].A.net_force), zero3<double>(), 1e-9 * norm<double>(s.A.force));
+  j.add("net torque afterwards", "N m", vec(r[0].A.net_torque), zero3<double>(), 1e-9 * norm<double>(s.A.torque));
+  return j;
+}
+
+// A cube under constant force and torque for 1 s, in 50, 100, 200 and 400 steps.
+constexpr int ladder[4] = {50, 100, 200, 400};
+Scenario draw_convergence(Random& random, int) {
+  Scenario s;
+  s.A = cube(random);
+  s.A.spin = arrow(random, 0.5, 1);
+  s.A.force = arrow(random, 1, 4);
+  s.A.torque = arrow(random, 0.5, 1);
+  return s;
+}
+std::vector<Call> ask_ladder(const Scenario& s) {
+  std::vector<Call> calls;
+  for (const int n : ladder) {
+    Scenario at = s;
+    at.h = at.constants.delta_t = 1.0 / n;
+    Request q = request(Function::update, at);
+    q.count = std::uint32_t(n);
+    q.flags = hold_forces;
+    calls.push_back({at.constants, q, 2});
+  }
+  return calls;
+}
+// R' = [w(t)] R with w linear in t (a cube has no gyroscopic torque): Magnus steps of order 4, 512 of them, error 1e-12.
+Mat3<double> cube_attitude(const Box& b, double t) {
+  const Vec3<double> alpha = apply<double>(b.world_inverse(), b.torque);
+  const int n = 512;
+  const double h = t / n;
+  Mat3<double> R = b.R_WB();
+  for (int k = 0; k < n; ++k) {
+    const Vec3<double> w = b.spin + (k + 0.5) * h * alpha;  // mean of w over the step; [w1, w2] gives the h³ term
+    const Vec3<double> theta = h * w - h * h * h / 12 * cross<double>(w, alpha);
+    R = exp_so3<double>(theta) * R;
+  }
+  return R;
+}
+void add_order(Judgement& j, const std::string& name, const double (&error)[4], double scale) {
+  // right: the finest pair shows order 0.9 or more, or the error is rounding already
+  const bool tiny = error[3] <= 1e-6 * scale;
+  const double order = tiny ? 1 : std::log2(error[2] / error[3]);
+  j.add("order of convergence, " + name, "1", order, std::fmax(order, 0.9), std::isfinite(order) ? 1e-9 : 0);
+  j.add("error at 400 steps, " + name, "of its scale", error[3] / scale, 0, 0.1);
+}
+// `own`: with another inertia the limit is another one; then the answers must converge among themselves.
+Judgement judge_convergence(const Scenario& s, const std::vector<Reply>& r, bool own) {
+  const Vec3<double> a = s.A.force / s.A.mass, alpha = apply<double>(s.A.world_inverse(), s.A.torque);
+  const Vec3<double> x = s.A.position + s.A.velocity + a / 2, v = s.A.velocity + a, w = s.A.spin + alpha;
+  const Mat3<double> R = cube_attitude(s.A, 1);
+  double e[4][4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const BodyRecord& got = r[k].A;
+    const BodyRecord& finest = r[3].A;
+    e[0][k] = norm<double>(vec(got.position) - x);
+    e[1][k] = norm<double>(vec(got.velocity) - v);
+    e[2][k] = norm<double>(vec(got.spin) - (own ? vec(finest.spin) : w));
+    e[3][k] = (mat(got.rotation) - (own ? mat(finest.rotation) : R)).norm();
+  }
+  if (own)
+    for (int part : {2, 3}) {  // differences to the finest: of order h they fall 3 to 1 from 100 to 200 steps
+      e[part][3] = e[part][2] / 1.5;
+      e[part][2] = e[part][1] / 1.5;
+    }
+  Judgement j;
+  add_order(j, "position", e[0], norm<double>(s.A.velocity) + norm<double>(a));
+  add_order(j, "velocity", e[1], norm<double>(s.A.velocity) + norm<double>(a));
+  add_order(j, "spin", e[2], norm<double>(s.A.spin) + norm<double>(alpha));
+  add_order(j, "rotation", e[3], 1);
+  return j;
+}
+
+}  // namespace
+
+std::vector<Check> update_checks() {
+  const auto with = [](auto draw, bool turned) { return [draw, turned](Random& random, int) { return draw(random, turned); }; };
+  const auto update = StudentFunction::update;
+  std::vector<Check> list{
+      {"update.linear", "Dynamics", update, "motion.linear", "dv/dt = F/m and dx/dt = v", 5,
+       {"update.position-stays", "update.velocity-stays", "update.no-mass", "update.dt-missing-position",
+        "update.dt-missing-velocity", "update.dt-squared-position", "update.damps-velocity"},
+       draw_linear, ask_limit, judge_linear},
+      {"update.torque", "Dynamics", update, "motion.euler", "a torque at rest gives dw/dt = I^-1 torque (R = 1)", 3,
+       {"update.spin-stays", "update.dt-missing-spin", "update.inertia-not-inverted", "update.no-inertia"},
+       with(draw_torque, false), ask_limit, judge_spin, true},
+      {"update.torque-turned", "Dynamics", update, "motion.euler", "the same with a generic rotation: the inverse tensor is in world axes", 4,
+       {"update.spin-stays", "update.inverse-body", "update.inertia-not-inverted", "update.no-inertia"},
+       with(draw_torque, true), ask_limit, judge_spin, true},
+      {"update.gyroscopic", "Dynamics", update, "motion.euler", "without torque dw/dt = -I^-1 (w x I w) (R = 1)", 3,
+       {"update.no-gyroscopic", "update.gyroscopic-sign", "update.damps-spin"},
+       with(draw_gyroscopic, false), ask_limit, judge_spin, true},
+      {"update.gyroscopic-turned", "Dynamics", update, "motion.euler", "the same with a generic rotation: w x I w with the world tensor", 3,
+       {"update.no-gyroscopic", "update.gyroscopic-sign", "update.gyroscopic-body", "update.inverse-body"},
+       with(draw_gyroscopic, true), ask_limit, judge_spin, true},
+      {"update.rotation", "Dynamics", update, "rotation.rate", "dR/dt = [w] R, w in world axes", 4,
+       {"update.rotation-stays", "update.dt-missing-rotation", "update.dt-squared-rotation", "update.rotation-right",
+        "update.rotation-reversed", "update.half-rotation", "update.degrees"},
+       draw_rotation, ask_limit, judge_rotation},
+      {"update.orthonormal", "Dynamics", update, "rotation.gram_schmidt", "R stays orthonormal with determinant 1, after one step and after 1000", 3,
+       {"update.not-orthonormal"}, draw_orthonormal, ask_orthonormal, judge_orthonormal},
+      {"update.clears", "Dynamics", update, "step.semi_implicit", "net force and net torque are zero afterwards", 2,
+       {"update.keeps-force", "update.keeps-torque"}, draw_clears, ask_once, judge_clears},
+      {"update.convergence", "Dynamics", update, "step.semi_implicit", "halving the step halves the error of position, velocity, spin and rotation (or better)", 3,
+       {}, draw_convergence, ask_ladder, judge_convergence, true},
+  };
+  list[5].sound = spin_off_the_axis;
+  return list;
+}
+
+}  // namespace rigor::grader

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <rigor/grader/diagnose.hpp>
+#include <rigor/grader/misconceptions.hpp>
+
+namespace rigor::grader {
+namespace {
+
+// Same numbers on one case: every component within its bound of the model's.
+bool agrees(const Check& check, const Record& record, const Habits& habits) {
+  std::vector<Reply> model;
+  for (const Call& call : check.calls(record.inputs)) model.push_back(model_answer(habits, call.constants, call.request));
+  const Judgement got = check.judge(record.inputs, record.replies, false), theirs = check.judge(record.inputs, model, false);
+  if (got.components.size() != theirs.components.size()) return false;
+  for (std::size_t i = 0; i < got.components.size(); ++i) {
+    const double a = got.components[i].got, b = theirs.components[i].got;
+    if (a != b && !(std::fabs(a - b) <= got.components[i].bound)) return false;
+  }
+  return true;
+}
+
+// Checks whose numbers depend on the scheme (order, error) fit no model student exactly.
+bool comparable(const Check& check) { return check.id != "update.convergence" && check.id != "scene.runs"; }
+
+using Group = std::vector<History*>;
+
+bool explains(const Group& group, const Habits& habits) {
+  return std::all_of(group.begin(), group.end(), [&](const History* h) {
+    return !comparable(*h->result->check) || std::all_of(h->records.begin(), h->records.end(), [&](const Record& r) {
+      return agrees(*h->result->check, r, habits);
+    });
+  });
+}
+int cases_of(const Group& group) {
+  int sum = 0;
+  for (const History* h : group) sum += comparable(*h->result->check) ? int(h->records.size()) : 0;
+  return sum;
+}
+bool failed(const History& h) { return h.result->verdict == Verdict::fail; }
+
+// Legitimate readings that change numbers of this function, to be tried together with each mistake.
+std::vector<std::string> readings(StudentFunction f) {
+  if (f == StudentFunction::plane_response)
+    return {"", "friction-effective-mass", "friction-literal", "friction-before", "no-approach-test", "correction-each-corner"};
+  if (f == StudentFunction::friction_tangent) return {"", "tangent-against-slip"};
+  if (f == StudentFunction::pair_response) return {"", "no-approach-test"};
+  return {""};
+}
+std::string joined(const std::string& a, const std::string& b) { return a.empty() ? b : b.empty() ? a : a + "+" + b; }
+
+// Two mistakes that are one function of every input seen (both signs reversed, say) are one explanation.
+bool same_on(const Group& group, const std::string& a, const std::string& b) {
+  const Habits one = habits_with(a), two = habits_with(b);
+  for (const History* h : group)
+    for (const Record& r : h->records) {
+      Record as_one{r.inputs, {}};
+      for (const Call& call : h->result->check->calls(r.inputs)) as_one.replies.push_back(model_answer(one, call.constants, call.request));
+      if (!agrees(*h->result->check, as_one, two)) return false;
+    }
+  return true;
+}
+
+// The explanations of a function's numbers, each id once whatever the reading; pairs only when no single mistake fits.
+std::vector<std::string> explanations(StudentFunction f, const Group& group, const std::string& upstream) {
+  std::vector<std::string> found;
+  const auto attempt = [&](const std::string& ids) {
+    for (const std::string& reading : readings(f))
+      if (explains(group, habits_with(joined(joined(upstream, reading), ids)))) return found.push_back(ids), true;
+    return false;
+  };
+  std::vector<std::string> own;
+  for (const Misconception& m : misconceptions())
+    if (m.function == f) own.push_back(m.id);
+  for (const std::string& id : own) attempt(id);
+  if (!found.empty()) return found;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t k = i + 1; k < own.size(); ++k) attempt(own[i] + "+" + own[k]);
+  return found;
+}
+
+std::string sentence(const std::string& ids) {
+  std::string text;
+  for (std::size_t start = 0; start < ids.size();) {
+    const std::size_t end = std::min(ids.find('+', start), ids.size());
+    if (start > 0) text += "; and ";
+    text += find_misconception(ids.substr(start, end - start))->text;
+    start = end + 1;
+  }
+  return text;
+}
+
+// got = factor * want throughout, with one factor; NaN when there is none.
+double common_factor(const History& h) {
+  double gw = 0, ww = 0;
+  for (const Record& r : h.records)
+    for (const Component& c : h.result->check->judge(r.inputs, r.replies, false).components) {
+      if (!std::isfinite(c.got)) return NAN;
+      gw += c.got * c.want / (c.bound * c.bound), ww += c.want * c.want / (c.bound * c.bound);
+    }
+  const double factor = gw / ww;
+  for (const Record& r : h.records)
+    for (const Component& c : h.result->check->judge(r.inputs, r.replies, false).components)
+      if (!(std::fabs(c.got - factor * c.want) <= c.bound * std::fmax(1, std::fabs(factor)))) return NAN;
+  return factor;
+}
+
+void add_relation(History& h) {
+  if (h.records.empty() || !comparable(*h.result->check)) return;
+  const double factor = common_factor(h);
+  if (!std::isfinite(factor)) return;
+  const int n = int(h.records.size());
+  char text[96];
+  if (std::fabs(factor) < 1e-6) std::snprintf(text, sizeof text, "the result is always zero");
+  else if (std::fabs(factor + 1) < 1e-4) std::snprintf(text, sizeof text, "the result has the opposite sign, always");
+  else std::snprintf(text, sizeof text, "the result is %.4g times the right one, always", factor);
+  h.result->diagnosis.push_back({"relation", text, n, n});
+}
+
+}  // namespace
+
+void diagnose(std::vector<History>& histories) {
+  std::map<StudentFunction, Group> groups;
+  for (History& h : histories) groups[h.result->check->function].push_back(&h);
+
+  std::string upstream;  // mistakes found in functions that later ones call
+  for (auto& [function, group] : groups) {  // in the order of the assignment: helpers first
+    if (std::none_of(group.begin(), group.end(), [](const History* h) { return failed(*h); })) continue;
+
+    // right given the mistakes found in what it calls?
+    if (!upstream.empty())
+      for (History* h : group)
+        if (failed(*h) && explains({h}, habits_with(upstream))) {
+          h->result->verdict = Verdict::pass;
+          h->result->points = h->result->max_points;
+          h->result->notes.push_back("follows from " + upstream);
+          h->result->counterexample.reset();
+        }
+    if (std::none_of(group.begin(), group.end(), [](const History* h) { return failed(*h); })) continue;
+
+    std::vector<std::string> found = explanations(function, group, "");
+    if (found.empty() && !upstream.empty()) found = explanations(function, group, upstream);
+    const bool one = !found.empty() && std::all_of(found.begin() + 1, found.end(), [&](const std::string& other) {
+      return same_on(group, found.front(), other);
+    });
+    for (History* h : group) {
+      if (!failed(*h)) continue;
+      if (one) h->result->diagnosis.push_back({found.front(), sentence(found.front()), cases_of(group), cases_of(group)});
+      else add_relation(*h);
+    }
+    if (one) upstream = joined(upstream, found.front());
+  }
+}
+
+}  // namespace rigor::grader

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/grader/diagnose.hpp>
+#include <rigor/grader/judge.hpp>
+#include <rigor/grader/misconceptions.hpp>
+#include <rigor/grader/shrink.hpp>
+#include <tuple>
+
+namespace rigor::grader {
+namespace {
+
+Verdict verdict_of(Death::Kind kind) {
+  switch (kind) {
+    case Death::Kind::timeout: return Verdict::timeout;
+    case Death::Kind::memory: return Verdict::memory;
+    default: return Verdict::crash;
+  }
+}
+
+// All calls of one case; the death of one ends it.
+struct Run {
+  std::vector<Reply> replies;
+  std::optional<Death> death;
+};
+Run run_case(const Student& student, const Check& check, const Scenario& s) {
+  Run run;
+  for (const Call& call : check.calls(s)) {
+    Answer answer = student(call);
+    if (auto* death = std::get_if<Death>(&answer)) {
+      run.death = *death;
+      return run;
+    }
+    run.replies.push_back(std::get<Reply>(answer));
+  }
+  return run;
+}
+
+double ratio_of(const Check& check, const Scenario& s, const std::vector<Reply>& replies, bool own, double tolerance) {
+  return check.judge(s, replies, own).ratio() / tolerance;
+}
+
+class Trial {
+ public:
+  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection)
+      : student_(student), check_(check), rubric_(rubric), selection_(selection) {
+    result_.check = &check;
+    result_.max_points = rubric.points_of(check);
+  }
+
+  // Runs the cases; a check is all or nothing, and stops after three deaths.
+  std::pair<CheckResult, std::vector<Record>> finish() {
+    const int all = check_.cases != 0 ? std::min(check_.cases, rubric_.cases) : rubric_.cases;
+    const int first = selection_.single_case < 0 ? 0 : selection_.single_case, last = selection_.single_case < 0 ? all : first + 1;
+    for (int k = first; k < last && deaths_ < 3; ++k) {
+      if (interrupted() != 0) {
+        result_.words = "interrupted after " + std::to_string(result_.cases) + " cases";
+        break;
+      }
+      one_case(k);
+    }
+    conclude();
+    return {std::move(result_), std::move(records_)};
+  }
+
+ private:
+  void one_case(int number) {
+    const Scenario s = draw_case(check_, rubric_.seed, number);
+    Run run = run_case(student_, check_, s);
+    ++result_.cases;
+    if (run.death) {
+      ++deaths_;
+      if (!worst_death_) worst_death_ = run.death, died_at_ = number;
+      return;
+    }
+    const double ratio = ratio_of(check_, s, run.replies, false, rubric_.tolerance);
+    const Judgement judgement = check_.judge(s, run.replies, false);
+    if (!judgement.note.empty() && std::find(result_.notes.begin(), result_.notes.end(), judgement.note) == result_.notes.end())
+      result_.notes.push_back(judgement.note);
+    if (!(ratio <= result_.worst_ratio)) result_.worst_ratio = ratio;
+    if (!(ratio <= 1)) {
+      if (failed_at_ < 0) failed_at_ = number;
+      follows_ = follows_ && check_.carries && ratio_of(check_, s, run.replies, true, rubric_.tolerance) <= 1;
+    }
+    records_.push_back({s, std::move(run.replies)});
+  }
+
+  void conclude() {
+    if (worst_death_) {
+      result_.verdict = verdict_of(worst_death_->kind);
+      result_.words = worst_death_->words + (deaths_ >= 3 ? " (three times; the check stopped there)" : "");
+      show(died_at_, [&](const Scenario& s) { return run_case(student_, check_, s).death.has_value(); });
+      return;
+    }
+    if (result_.cases == 0 || interrupted() != 0) return;  // skipped
+    if (failed_at_ < 0) {
+      result_.verdict = Verdict::pass;
+    } else if (follows_) {
+      result_.verdict = Verdict::pass;
+      result_.notes.push_back("right given the submission's own inertia functions, which are charged for on their own");
+    } else {
+      result_.verdict = Verdict::fail;
+      show(failed_at_, [&](const Scenario& s) {
+        const Run run = run_case(student_, check_, s);
+        return !run.death && !(ratio_of(check_, s, run.replies, false, rubric_.tolerance) <= 1);
+      });
+    }
+    if (result_.verdict == Verdict::pass) result_.points = result_.max_points;
+  }
+
+  void show(int number, const std::function<bool(const Scenario&)>& fails) {
+    Counterexample example;
+    example.number = number;
+    example.inputs = shrink(check_, draw_case(check_, rubric_.seed, number), fails, worst_death_ ? 12 : 200);
+    example.function = Function(check_.calls(example.inputs)[0].request.function);
+    const Run run = run_case(student_, check_, example.inputs);
+    if (run.death) example.death = run.death->words;
+    else example.judgement = check_.judge(example.inputs, run.replies, false);
+    result_.counterexample = example;
+  }
+
+  const Student& student_;
+  const Check& check_;
+  const Rubric& rubric_;
+  const Selection& selection_;
+  CheckResult result_;
+  std::vector<Record> records_;
+  std::optional<Death> worst_death_;
+  int deaths_ = 0, died_at_ = 0, failed_at_ = -1;
+  bool follows_ = true;
+};
+
+// What the build already knows about a function. pass: it is there.
+Verdict missing(const FunctionStatus& status) {
+  if (status.kind == FunctionStatus::Kind::not_compiled) return Verdict::not_compiled;
+  if (status.kind == FunctionStatus::Kind::not_implemented) return Verdict::not_implemented;
+  return Verdict::pass;
+}
+
+bool chosen(const Selection& selection, const Check& check) {
+  return selection.only.empty() || std::find(selection.only.begin(), selection.only.end(), check.id) != selection.only.end();
+}
+
+// A failure whose whole explanation the rubric accepts counts as right.
+void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) {
+  if (result.verdict != Verdict::fail || result.diagnosis.empty()) return;
+  if (accepted.count(result.diagnosis.front().id) == 0) return;
+  result.verdict = Verdict::pass;
+  result.points = result.max_points;
+  result.notes.push_back("accepted by the rubric: " + result.diagnosis.front().text);
+}
+
+}  // namespace
+
+void judge(const Student& student, const std::array<FunctionStatus, student_functions>& functions, const Rubric& rubric,
+           const Selection& selection, Report& report) {
+  std::vector<std::vector<Record>> records;
+  for (const Check& check : checks()) {
+    if (!chosen(selection, check)) continue;
+    const FunctionStatus& status = functions[std::size_t(check.function)];
+    if (const Verdict verdict = missing(status); verdict != Verdict::pass) {
+      CheckResult result;
+      result.check = &check;
+      result.verdict = verdict;
+      result.max_points = rubric.points_of(check);
+      result.words = verdict == Verdict::not_implemented
+                         ? std::string(student_function_name(check.function)) + " is as handed out"
+                         : status.error;
+      report.results.push_back(std::move(result));
+      records.emplace_back();
+      continue;
+    }
+    auto [result, seen] = Trial(student, check, rubric, selection).finish();
+    report.results.push_back(std::move(result));
+    records.push_back(std::move(seen));
+  }
+  std::vector<History> histories;
+  for (std::size_t i = 0; i < report.results.size(); ++i)
+    if (!records[i].empty()) histories.push_back({&report.results[i], std::move(records[i])});
+  diagnose(histories);
+  for (CheckResult& result : report.results) {
+    apply_accepted(result, rubric.accepted);
+    report.score += result.points;
+    report.max_score += result.max_points;
+  }
+}
+
+Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const Selection& selection, const BuildOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto built = build(submission, options);
+  if (!built) return built.fault();
+  Report report;
+  report.rubric_title = rubric.title;
+  report.submission = submission.name;
+  report.submission_hash = submission.hash;
+  report.seed = rubric.seed;
+  report.cases = rubric.cases;
+  report.notes = submission.notes;
+  report.notes.insert(report.notes.end(), built->notes.begin(), built->notes.end());
+  report.isolation = built->isolation;
+
+  // one process for each set of constants: they are fixed before the student's static constructors run
+  using Key = std::tuple<double, double, double, double>;
+  std::map<Key, Worker> workers;
+  Constants own;
+  if (built->own_constants && !built->executable.empty()) {
+    Worker worker(built->executable, own, rubric.limits);
+    Request q{};
+    q.function = std::uint32_t(Function::constants);
+    const Answer answer = worker.call(q);
+    if (const Reply* r = std::get_if<Reply>(&answer)) own = {r->constants[0], r->constants[1], r->constants[2], r->constants[3]};
+    report.notes.push_back("brings its own Constants.h: checks that vary the constants use its values where they can");
+  }
+  auto functions = built->functions;
+  if (built->executable.empty())
+    for (FunctionStatus& f : functions)
+      if (f.kind == FunctionStatus::Kind::compiled) f = {FunctionStatus::Kind::not_compiled, "the submission could not be linked"};
+  const Student student = [&](const Call& call) -> Answer {
+    const Constants& c = call.constants;
+    auto it = workers.try_emplace({c.restitution, c.static_friction, c.dynamic_friction, c.delta_t}, built->executable, c, rubric.limits).first;
+    Answer answer = it->second.call(call.request, call.seconds);
+    if (report.output.size() < 4096) report.output += it->second.take_output();
+    if (report.isolation.size() == built->isolation.size())
+      for (const std::string& line : it->second.isolation()) report.isolation.push_back(line);
+    return answer;
+  };
+  judge(student, functions, rubric, selection, report);
+  if (report.output.size() > 4096) report.output.resize(4096);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace rigor::grader

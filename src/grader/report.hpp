@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <rigor/grader/check.hpp>
+#include <string>
+#include <vector>
+
+namespace rigor::grader {
+
+enum class Verdict { pass, fail, crash, timeout, memory, not_compiled, not_implemented, skipped };
+const char* name(Verdict verdict);
+
+/// A case on which a check failed, as small as it could be made.
+struct Counterexample {
+  int number = 0;          ///< of the case that failed first; replay with --check ID --case NUMBER
+  Scenario inputs;         ///< shrunk
+  Function function = Function::update;
+  Judgement judgement;     ///< empty where the call got no answer
+  std::string death;       ///< how it ended then
+};
+
+/// What the judge believes went wrong, with its evidence.
+struct Diagnosis {
+  std::string id;          ///< misconception ids joined by '+', or "relation"
+  std::string text;
+  int agreements = 0, cases = 0;
+};
+
+struct CheckResult {
+  const Check* check = nullptr;
+  Verdict verdict = Verdict::skipped;
+  double points = 0, max_points = 0;
+  int cases = 0;           ///< run
+  double worst_ratio = 0;  ///< largest |error|/bound over all cases
+  std::string words;       ///< for a person: why skipped, the compiler's error, how it crashed
+  std::vector<std::string> notes;          ///< variants seen, "follows from ..."
+  std::optional<Counterexample> counterexample;
+  std::vector<Diagnosis> diagnosis;
+};
+
+/// Everything that is known about one graded submission; every format is written from this.
+struct Report {
+  std::string tool, rubric_title;
+  std::string submission, submission_path, submission_hash;
+  std::uint64_t seed = 0;
+  int cases = 0;
+  std::vector<std::string> isolation, notes;
+  double score = 0, max_score = 0;
+  std::vector<CheckResult> results;
+  std::string output;      ///< what the student's code printed, clipped
+  double seconds = 0;
+};
+
+std::string report_text(const Report& report, bool colour);
+std::string report_json(const Report& report);
+std::string report_html(const Report& report);
+
+/// A case's inputs as "name", "value with unit" rows: those that the called function sees.
+std::vector<std::pair<std::string, std::string>> named_inputs(const Counterexample& example);
+/// "rigor grade PATH --check ID --case N --seed S"
+std::string replay_command(const Report& report, const CheckResult& result);
+/// Shortest digits that read back to the same double.
+std::string shortest(double x);
+
+}  // namespace rigor::grader
