@@ -1,0 +1,123 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/base/suggest.hpp>
+#include <rigor/cli/grade.hpp>
+#include <rigor/grader/judge.hpp>
+
+namespace rigor::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string rubric;
+  std::uint64_t seed = 0;
+  int cases = 0;
+  std::vector<std::string> checks;
+  int single_case = -1;
+  std::vector<std::string> formats;
+  std::string out;
+  bool json = false, quiet = false, sanitize = false, print_rubric = false;
+  int jobs = 1;
+};
+
+int bad_input(const std::string& text) {
+  std::fprintf(stderr, "rigor grade: %s\n", text.c_str());
+  return 2;
+}
+
+// Writes the asked formats below `out`; one directory for each submission where there are several.
+Outcome<bool> write_formats(const grader::Report& report, const Options& options, bool several) {
+  const std::filesystem::path dir = several ? std::filesystem::path(options.out) / report.submission : std::filesystem::path(options.out);
+  const std::vector<std::string> formats = options.formats.empty() ? std::vector<std::string>{"text", "json", "html"} : options.formats;
+  for (const std::string& format : formats) {
+    const auto written = format == "json"   ? write_file(dir / "report.json", grader::report_json(report))
+                         : format == "html" ? write_file(dir / "report.html", grader::report_html(report))
+                                            : write_file(dir / "report.txt", grader::report_text(report, false));
+    if (!written) return written;
+  }
+  return true;
+}
+
+Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const Options& options) {
+  const auto submission = grader::open_submission(path);
+  if (!submission) return submission.fault();
+  grader::Selection selection{options.checks, options.single_case};
+  grader::BuildOptions build;
+  build.jobs = options.jobs;
+  build.sanitize = options.sanitize;
+  auto report = grader::grade(*submission, rubric, selection, build);
+  if (!report) return report.fault();
+  grader::Report filled = *report;
+  filled.tool = std::string("rigor ") + RIGOR_VERSION;
+  filled.submission_path = path;
+  return filled;
+}
+
+int grade_command(const Options& options) {
+  if (options.print_rubric) {
+    std::fputs(grader::default_rubric_text().c_str(), stdout);
+    return 0;
+  }
+  if (options.paths.empty()) return bad_input("a submission directory is missing; example: rigor grade submissions/ada");
+  grader::Rubric rubric;
+  if (!options.rubric.empty()) {
+    const auto read = grader::read_rubric(options.rubric);
+    if (!read) return bad_input(read.fault().text());
+    rubric = *read;
+  }
+  if (options.seed != 0) rubric.seed = options.seed;
+  if (options.cases != 0) rubric.cases = options.cases;
+  std::vector<std::string> ids;
+  for (const grader::Check& check : grader::checks()) ids.push_back(check.id);
+  for (const std::string& id : options.checks)
+    if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids));
+  for (const std::string& format : options.formats)
+    if (format != "text" && format != "json" && format != "html") return bad_input("--format: '" + format + "' is none of text, json, html");
+
+  int graded = 0;
+  const bool colour = isatty(STDOUT_FILENO) != 0;
+  for (const std::string& path : options.paths) {
+    const auto report = grade_one(path, rubric, options);
+    if (!report) {
+      std::fprintf(stderr, "rigor grade: %s\n", report.fault().text().c_str());
+      continue;
+    }
+    ++graded;
+    if (!options.out.empty())
+      if (const auto written = write_formats(*report, options, options.paths.size() > 1); !written) return bad_input(written.fault().text());
+    if (options.json) std::fputs(grader::report_json(*report).c_str(), stdout);
+    else if (options.quiet) std::printf("%s %g of %g\n", report->submission.c_str(), report->score, report->max_score);
+    else std::fputs(grader::report_text(*report, colour).c_str(), stdout);
+    if (interrupted() != 0) return 128 + interrupted();
+  }
+  return graded == int(options.paths.size()) ? 0 : 2;
+}
+
+}  // namespace
+
+void add_grade(CLI::App& app, int& exit_status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("grade", "grade submissions: points, the smallest failing case, the likely mistake");
+  command->add_option("PATH", options->paths, "directory of a submission");
+  command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
+  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
+  command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
+  command->add_option("--check", options->checks, "only this check; may be given several times");
+  command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(CLI::Range(0, 100000));
+  command->add_option("--format", options->formats, "with --out: text,json,html")->delimiter(',');
+  command->add_option("--out", options->out, "directory for report.txt, report.json, report.html");
+  command->add_option("--jobs", options->jobs, "compilers at a time")->check(CLI::Range(1, 256));
+  command->add_flag("--sanitize", options->sanitize, "build with sanitizers; their first finding is shown as advice");
+  command->add_flag("--json", options->json, "print report.json");
+  command->add_flag("--quiet", options->quiet, "print one line a submission");
+  command->add_flag("--print-rubric", options->print_rubric, "print the default rubric and stop");
+  command->footer("Example:  rigor grade submissions/ada --out reports/ada");
+  command->callback([options, &exit_status] { exit_status = grade_command(*options); });
+}
+
+}  // namespace rigor::cli
