@@ -114,13 +114,13 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
   const detail::ImpactAxes axes{dot<double>(n, Kn), {dot<double>(t1, Kn), dot<double>(t2, Kn)},
                                 {{{dot<double>(t1, K1), dot<double>(t1, K2)}, {dot<double>(t2, K1), dot<double>(t2, K2)}}}, mu_d, -v_n};
 
-  const bool slips = slip > 4e-16 * norm<double>(v_r) && mu_d > 0;
+  const bool slips = slip > 4e-16 * norm<double>(v_r);
   SlipState x{slips ? std::log(slip) : 0, 0, 0, 0, 0, v_n, 0};
   double work_c = 0;  // ∫ v_n dp over compression, < 0, once it has ended
   bool compressed = false, ended = false;
   const auto goal = [&](const SlipState& y) { return compressed ? y.work - (1 - e * e) * work_c : y.v_n; };
 
-  if (slips) {
+  if (slips && mu_d > 0) {
     const double fastest = norm<double>(v_r) * 1e-16;
     double h = 0.1 / (axes.k_nn + axes.k_tt[0][0] + axes.k_tt[1][1]);
     for (int step = 0; step < 200000 && !ended && std::exp(x.log_r) > fastest; ++step) {
@@ -159,7 +159,7 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
     const double det = axes.k_tt[0][0] * axes.k_tt[1][1] - axes.k_tt[0][1] * axes.k_tt[1][0];
     const double h1 = -(axes.k_tt[1][1] * axes.k_tn[0] - axes.k_tt[0][1] * axes.k_tn[1]) / det;
     const double h2 = -(axes.k_tt[0][0] * axes.k_tn[1] - axes.k_tt[1][0] * axes.k_tn[0]) / det;
-    if (mu_d > 0 || mu_s > 0) {
+    if (mu_d > 0 || (mu_s > 0 && !slips)) {  // μ_d = 0 never stops a slip, and μ_s holds none
       if (h1 * h1 + h2 * h2 <= mu_s * mu_s) {
         a1 = h1, a2 = h2;
         outcome = FrictionOutcome::stuck;
