@@ -36,6 +36,12 @@ Scenario draw_contact(Random& random, int number, bool turned) {
   s.point = s.A.position + corner_W(s.A, s.variant);
   return s;
 }
+// The same with e = 0, where a wrong sign in front of e cannot be seen: that is plane.restitution's business.
+Scenario draw_plastic(Random& random, int number, bool turned) {
+  Scenario s = draw_contact(random, number, turned);
+  s.constants.restitution = 0;
+  return s;
+}
 bool one_corner(const Scenario& s) { return single_corner(s, s.variant); }
 
 double approach(const Scenario& s) {
@@ -147,7 +153,8 @@ Judgement judge_post(const Scenario& s, const std::vector<Reply>& r, bool own) {
 
 std::vector<Check> plane_checks() {
   const auto plane = StudentFunction::plane_response;
-  const auto contact = [](bool turned) { return [turned](Random& random, int k) { return draw_contact(random, k, turned); }; };
+  const auto bounce = [](Random& random, int k) { return draw_contact(random, k, true); };
+  const auto plastic = [](bool turned) { return [turned](Random& random, int k) { return draw_plastic(random, k, turned); }; };
   const auto deep = [](Deep kind) { return [kind](Random& random, int k) { return draw_deep(random, k, kind); }; };
   const std::string group = "Plane normal";
   std::vector<Check> list{
@@ -161,13 +168,13 @@ std::vector<Check> plane_checks() {
        {"plane.correction-missing", "plane.correction-mean"}, deep(Deep::several_corners), ask, judge_correction},
       {"plane.restitution", group, plane, "impulse.normal", "the contact leaves with e times the speed it came with", 3,
        {"plane.printed-restitution", "plane.restitution-ignored", "plane.restitution-one", "plane.normal-sign", "plane.not-over-mass"},
-       contact(true), ask, judge_restitution},
+       bounce, ask, judge_restitution},
       {"plane.impulse", group, plane, "impulse.apply", "velocity and spin change by the impulse at the corner (R = 1)", 3,
        {"plane.centre-velocity", "plane.spin-sign", "plane.no-arm", "plane.arm-from-origin", "plane.no-inertia-term",
-        "plane.inertia-not-inverted", "plane.not-over-mass", "plane.no-spin", "plane.spin-reversed", "plane.printed-restitution"},
-       contact(false), ask, judge_impulse, true},
+        "plane.inertia-not-inverted", "plane.not-over-mass", "plane.no-spin", "plane.spin-reversed", "plane.restitution-one"},
+       plastic(false), ask, judge_impulse, true},
       {"plane.impulse-turned", group, plane, "impulse.apply", "the same with a generic rotation: arms and inertia in world axes", 2,
-       {"plane.arm-in-body", "plane.inverse-body", "plane.no-spin"}, contact(true), ask, judge_impulse, true},
+       {"plane.arm-in-body", "plane.inverse-body", "plane.no-spin"}, plastic(true), ask, judge_impulse, true},
       {"plane.energy", group, plane, "energy.kinetic", "a post that falls flat gains no energy and is stopped", 1,
        {"plane.normal-sign"}, draw_post, ask, judge_post, true},
       {"plane.separating", group, plane, "impulse.normal", "advice: a contact that already separates needs no impulse", 0, {}, draw_leaving, ask,

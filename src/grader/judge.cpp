@@ -44,8 +44,9 @@ double ratio_of(const Check& check, const Scenario& s, const std::vector<Reply>&
 
 class Trial {
  public:
-  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection)
-      : student_(student), check_(check), rubric_(rubric), selection_(selection) {
+  // `inertia_failed`: an inertia function was found wrong, so what calls it may follow from that.
+  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, bool inertia_failed)
+      : student_(student), check_(check), rubric_(rubric), selection_(selection), follows_(check.carries && inertia_failed) {
     result_.check = &check;
     result_.max_points = rubric.points_of(check);
   }
@@ -82,7 +83,7 @@ class Trial {
     if (!(ratio <= result_.worst_ratio)) result_.worst_ratio = ratio;
     if (!(ratio <= 1)) {
       if (failed_at_ < 0) failed_at_ = number;
-      follows_ = follows_ && check_.carries && ratio_of(check_, s, run.replies, true, rubric_.tolerance) <= 1;
+      follows_ = follows_ && ratio_of(check_, s, run.replies, true, rubric_.tolerance) <= 1;
     }
     records_.push_back({s, std::move(run.replies)});
   }
@@ -129,7 +130,7 @@ class Trial {
   std::vector<Record> records_;
   std::optional<Death> worst_death_;
   int deaths_ = 0, died_at_ = 0, failed_at_ = -1;
-  bool follows_ = true;
+  bool follows_;
 };
 
 // What the build already knows about a function. pass: it is there.
@@ -157,6 +158,7 @@ void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) 
 void judge(const Student& student, const std::array<FunctionStatus, student_functions>& functions, const Rubric& rubric,
            const Selection& selection, Report& report) {
   std::vector<std::vector<Record>> records;
+  bool inertia_failed = false;
   for (const Check& check : checks()) {
     if (!chosen(selection, check)) continue;
     const FunctionStatus& status = functions[std::size_t(check.function)];
@@ -172,7 +174,8 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
       records.emplace_back();
       continue;
     }
-    auto [result, seen] = Trial(student, check, rubric, selection).finish();
+    auto [result, seen] = Trial(student, check, rubric, selection, inertia_failed).finish();
+    inertia_failed = inertia_failed || (check.group == "Inertia" && result.verdict == Verdict::fail);
     report.results.push_back(std::move(result));
     records.push_back(std::move(seen));
   }

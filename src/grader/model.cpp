@@ -181,12 +181,12 @@ void plane_contact(const Habits& h, const Constants& k, BodyRecord& b, const V& 
   const double j = h.plane.sign * -restitution_factor(h.plane, k.restitution) * v_n / k_nn;
   push(h.plane, s, b, V(j * n), 1);
 
-  if (h.friction == Habits::Friction::none || (k.static_friction == 0 && k.dynamic_friction == 0)) return;
+  if (h.friction == Habits::Friction::none) return;
   const V t = h.friction_before ? t_before : tangent(h, b, n, point);
-  const double slip = std::fabs((h.friction_before ? v_before : contact_velocity(h.plane, b, s.arm)).dot(t));
+  const double slip = (h.tangent_factor < 0 ? -1 : 1) * (h.friction_before ? v_before : contact_velocity(h.plane, b, s.arm)).dot(t);
   const double mu_s = h.mu_swapped ? k.dynamic_friction : k.static_friction;
   const double mu_d = h.mu_swapped ? k.static_friction : k.dynamic_friction;
-  const double unit = h.mu_times_impulse ? std::fabs(j) : 1;
+  const double unit = h.mu_times_impulse ? j : 1;
   const double k_tt = s.inverse_mass + (s.inverse * s.arm.cross(t)).cross(s.arm).dot(t);
   double stopping = slip * b.mass;
   if (h.friction == Habits::Friction::effective_mass || h.friction == Habits::Friction::coulomb) stopping = slip / k_tt;

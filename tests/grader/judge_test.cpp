@@ -1,0 +1,242 @@
+// The judge against the model student: no process is started, so a whole class of students costs a second.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <rigor/grader/judge.hpp>
+#include <rigor/grader/misconceptions.hpp>
+#include <set>
+
+namespace rigor::grader {
+namespace {
+
+const std::array<FunctionStatus, student_functions> all_there{};
+using Ids = std::set<std::string>;
+
+Answer model(const Habits& habits, const Call& call) { return model_answer(habits, call.constants, call.request); }
+
+Report judged(const Student& student, int cases, std::uint64_t seed, Rubric rubric = {}, const Selection& selection = {}) {
+  rubric.cases = cases;
+  rubric.seed = seed;
+  Report report;
+  report.submission = "model";
+  judge(student, all_there, rubric, selection, report);
+  return report;
+}
+Report judged(const std::string& habits, int cases, std::uint64_t seed, const Rubric& rubric = {}) {
+  const Habits h = habits_with(habits);
+  return judged([h](const Call& call) { return model(h, call); }, cases, seed, rubric);
+}
+Ids failing(const Report& report) {
+  Ids ids;
+  for (const CheckResult& r : report.results)
+    if (r.verdict != Verdict::pass && r.max_points > 0) ids.insert(r.check->id);
+  return ids;
+}
+Ids named(const Report& report) {
+  Ids ids;
+  for (const CheckResult& r : report.results)
+    for (const Diagnosis& d : r.diagnosis)
+      if (r.max_points > 0) ids.insert(d.id);
+  return ids;
+}
+
+TEST(Checks, AddUpToAHundredPointsInTheSixPartsOfTheAssignment) {
+  std::map<std::string, double> parts;
+  Ids ids;
+  for (const Check& check : checks()) {
+    parts[check.group] += check.points;
+    EXPECT_TRUE(ids.insert(check.id).second) << check.id;
+  }
+  EXPECT_EQ(parts, (std::map<std::string, double>{
+                       {"Inertia", 15}, {"Force", 10}, {"Dynamics", 30}, {"Plane normal", 15}, {"Friction", 15}, {"Pair", 15}}));
+}
+
+TEST(Checks, CasesAreTheSameForTheSameSeedAndOthersForAnother) {
+  for (const Check& check : checks()) {
+    const Scenario a = draw_case(check, 1, 3), b = draw_case(check, 1, 3), c = draw_case(check, 2, 3);
+    EXPECT_EQ(a.A.size, b.A.size) << check.id;
+    EXPECT_EQ(a.A.position, b.A.position) << check.id;
+    if (check.id != "scene.runs") {
+      EXPECT_NE(a.A.size, c.A.size) << check.id;
+    }
+  }
+}
+
+// An admitted input shows every claimed mistake by 20 bounds, so that no wrong answer passes by luck of the draw.
+TEST(Checks, EveryAdmittedInputShowsEveryMistakeClaimed) {
+  for (const Check& check : checks())
+    for (int k = 0; k < 12; ++k) EXPECT_TRUE(admitted(check, draw_case(check, 99, k))) << check.id;
+}
+
+TEST(Judge, GivesTheRightStudentFullMarksAtAnySeed) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 20260414u}) EXPECT_EQ(judged("", 60, seed).score, 100) << seed;
+}
+
+TEST(Judge, GivesEveryLegitimateReadingFullMarks) {
+  for (const Misconception& variant : variants()) {
+    const Report report = judged(variant.id, 40, 5);
+    EXPECT_EQ(report.score, 100) << variant.id << " failed " << *failing(report).begin();
+  }
+}
+
+TEST(Judge, NamesTheReadingItSaw) {
+  const auto notes = [](const Report& report) {
+    Ids all;
+    for (const CheckResult& r : report.results) all.insert(r.notes.begin(), r.notes.end());
+    return all;
+  };
+  EXPECT_EQ(notes(judged("friction-literal", 16, 5)).count("literal friction rule: every slip slides"), 1u);
+  EXPECT_EQ(notes(judged("tangent-against-slip", 16, 5)).count("tangent against the slip"), 1u);
+  EXPECT_TRUE(notes(judged("", 16, 5)).empty());
+}
+
+TEST(Judge, FailsEveryMisconceptionAndNamesIt) {
+  int right = 0;
+  for (const Misconception& m : misconceptions()) {
+    const Report report = judged(m.id, 24, 11);
+    EXPECT_FALSE(failing(report).empty()) << m.id << " passes everything";
+    const Ids names = named(report);
+    if (names == Ids{m.id}) ++right;
+    else if (names.empty() || names == Ids{"relation"}) std::printf("not named: %s\n", m.id.c_str());
+    else ADD_FAILURE() << m.id << " was called " << *names.begin();
+  }
+  const int all = int(misconceptions().size());
+  std::printf("%d misconceptions, %d named right, 0 named wrong\n", all, right);
+  EXPECT_GE(all, 60);
+  EXPECT_GE(right, all * 95 / 100);
+}
+
+TEST(Judge, ChargesAMistakeOnce) {
+  EXPECT_EQ(failing(judged("world-inverse.transposed", 24, 3)), Ids{"moi.world-inverse"});
+  EXPECT_EQ(failing(judged("tangent.not-normalised", 24, 3)), (Ids{"tangent.slip", "tangent.force"}));
+}
+
+TEST(Judge, NamesTwoMistakesOfOneFunctionTogether) {
+  EXPECT_EQ(named(judged("update.keeps-force+update.no-gyroscopic", 24, 3)), Ids{"update.no-gyroscopic+update.keeps-force"});
+}
+
+TEST(Judge, InventsNothingForAMistakeItDoesNotKnow) {
+  const Report report = judged(
+      [](const Call& call) -> Answer {
+        Reply r = model_answer(Habits{}, call.constants, call.request);
+        if (call.request.function == std::uint32_t(Function::pair_response)) r.A.velocity[0] += 0.3 * std::sin(r.A.position[1]);
+        return r;
+      },
+      24, 3);
+  EXPECT_TRUE(named(report).empty());
+  EXPECT_EQ(failing(report).count("pair.impulse"), 1u);
+}
+
+TEST(Judge, FindsAConstantFactor) {
+  const Report report = judged(
+      [](const Call& call) -> Answer {
+        Reply r = model_answer(Habits{}, call.constants, call.request);
+        for (double& x : r.A.body_inertia) x *= 0.3;
+        return r;
+      },
+      24, 3, {}, {{"moi.body"}, -1});
+  ASSERT_EQ(report.results.size(), 1u);
+  ASSERT_EQ(report.results[0].diagnosis.size(), 1u);
+  EXPECT_EQ(report.results[0].diagnosis[0].text, "the result is 0.3 times the right one, always");
+}
+
+TEST(Judge, StopsACheckAfterThreeDeathsAndGoesOnWithTheNext) {
+  int calls = 0;
+  const Report report = judged(
+      [&](const Call& call) -> Answer {
+        if (call.request.function == std::uint32_t(Function::apply_force)) return ++calls, Death{Death::Kind::timeout, "took too long"};
+        return model(Habits{}, call);
+      },
+      24, 3, {}, {{"force.sum", "moi.body"}, -1});
+  ASSERT_EQ(report.results.size(), 2u);
+  EXPECT_EQ(report.results[0].verdict, Verdict::pass);
+  EXPECT_EQ(report.results[1].verdict, Verdict::timeout);
+  EXPECT_EQ(report.results[1].cases, 3);
+  EXPECT_LE(calls, 3 + 12 + 1);  // three cases, a dozen to shrink, one to show
+}
+
+TEST(Judge, NotANumberIsNeverRight) {
+  const Report report = judged(
+      [](const Call& call) -> Answer {
+        Reply r = model_answer(Habits{}, call.constants, call.request);
+        r.A.velocity[2] = NAN;
+        return r;
+      },
+      24, 3, {}, {{"plane.restitution", "pair.linear-momentum", "plane.energy", "update.linear"}, -1});
+  EXPECT_EQ(report.results.size(), 4u);
+  for (const CheckResult& r : report.results) EXPECT_EQ(r.verdict, Verdict::fail) << r.check->id;
+}
+
+TEST(Judge, ShowsASmallCaseThatStillFails) {
+  const Report report = judged("force.torque-reversed", 60, 8);
+  for (const CheckResult& r : report.results) {
+    if (r.check->id != "force.torque") continue;
+    ASSERT_TRUE(r.counterexample);
+    EXPECT_TRUE(r.counterexample->inputs.A.turn.tail<3>().isZero()) << "the turn does not matter for a reversed torque";
+    EXPECT_TRUE(r.counterexample->inputs.A.velocity.isZero());
+    EXPECT_FALSE(r.counterexample->judgement.ratio() <= 1);
+  }
+}
+
+TEST(Judge, AcceptsWhatTheRubricAccepts) {
+  Rubric rubric;
+  rubric.accepted = {"plane.printed-restitution", "pair.printed-restitution"};
+  const char* both = "plane.printed-restitution+pair.printed-restitution";
+  EXPECT_EQ(failing(judged(both, 24, 3)), (Ids{"plane.restitution", "pair.restitution"}));
+  EXPECT_EQ(judged(both, 24, 3, rubric).score, 100);
+}
+
+TEST(Rubric, TheDefaultTextReadsBackAsTheDefault) {
+  const auto rubric = parse_rubric(default_rubric_text(), "default");
+  ASSERT_TRUE(rubric) << rubric.fault().text();
+  EXPECT_EQ(rubric->seed, Rubric{}.seed);
+  EXPECT_EQ(rubric->cases, Rubric{}.cases);
+  for (const Check& check : checks()) EXPECT_EQ(rubric->points_of(check), check.points) << check.id;
+}
+
+TEST(Rubric, SaysWhatIsWrongAndWhere) {
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"casez = 3", "r unknown key 'casez' (did you mean 'cases'?)"},
+      {"cases = 0", "r: cases is 0, must be in [1, 100000]"},
+      {"cases = \"many\"", "r: cases must be a number"},
+      {"tolerance = nan", "r: tolerance is nan, must be in [0.01, 1000]"},
+      {"tolerance = -inf", "r: tolerance is -inf, must be in [0.01, 1000]"},
+      {"[points]\n\"moi.body\" = -1", "r: points.\"moi.body\" is -1, must be in [0, 1e+06]"},
+      {"[points]\n\"moi.bodi\" = 1", "r: points unknown key 'moi.bodi' (did you mean 'moi.body'?)"},
+      {"accept = [\"plane.printed\"]", "r: accept there is no misconception 'plane.printed'"},
+      {"accept = 3", "r: accept must be a list of misconception ids"},
+      {"[limits]\ncall_seconds = 0", "r: limits.call_seconds is 0, must be in [0.01, 600]"},
+      {"points = 3", "r: points must be a table: [points]"},
+      {"cases = ", "r: line 1 "},
+  };
+  for (const auto& [text, message] : bad) {
+    const auto rubric = parse_rubric(text, "r");
+    ASSERT_FALSE(rubric) << text;
+    EXPECT_EQ(rubric.fault().text().substr(0, message.size()), message);
+  }
+}
+
+TEST(Formats, CarryTheSameScoreAndNothingThatABrowserOrTerminalWouldInterpret) {
+  Report report = judged("force.torque-reversed", 24, 8);
+  report.submission = "<script>alert('x')</script>";
+  report.output = "\x1b[31m<b>\"&";
+  report.notes = {"<img src=x>"};
+  const auto json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json["schema"], "rigor.report/1");
+  EXPECT_EQ(json["score"], report.score);
+  EXPECT_EQ(json["checks"].size(), checks().size());
+  for (const auto& check : json["checks"])
+    for (const char* key : {"id", "function", "formula", "verdict", "points", "max_points", "cases", "worst_ratio", "counterexample", "replay", "diagnosis"})
+      EXPECT_TRUE(check.contains(key)) << key;
+  const std::string html = report_html(report);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("<img"), std::string::npos);
+  EXPECT_EQ(html.find('\x1b'), std::string::npos);
+  EXPECT_NE(html.find("the torque is F x r instead of r x F"), std::string::npos);
+  EXPECT_EQ(report_text(report, false).find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigor::grader
