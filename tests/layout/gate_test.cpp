@@ -142,4 +142,41 @@ TEST(Gate, SeesEachKindOfGap) {
   EXPECT_TRUE(formulas_in("f.hpp", "namespace detail {\ninline double law(double x) {\n").empty());
 }
 
+// Names in code font in proofs and errata: `topic.name` is a formula, and "erratum NAME" in a header a heading there.
+TEST(Gate, NamesInDerivationsAndErrataResolve) {
+  const Tree tree = read_tree();
+  std::set<std::string> anchors;
+  const std::string errata = read(source / "reference/errata.md");
+  for (const std::string& line : lines_of(errata)) {
+    std::smatch match;
+    if (!std::regex_search(line, match, std::regex("^#+ .*`([a-z0-9-]+)`"))) continue;
+    EXPECT_TRUE(anchors.insert(match[1]).second) << match[1] << " is a heading twice";
+  }
+  EXPECT_GE(anchors.size(), 20u);
+
+  const std::regex formula_name("`(" + std::string(id_pattern) + ")`"), cited(R"(errat(?:um|a) ([a-z]+-[a-z-]+|restitution)(?: and ([a-z]+-[a-z-]+))?)");
+  std::vector<std::string> pages = files_below("proofs", {".md"});
+  pages.push_back("reference/errata.md");
+  for (const std::string& file : pages) {
+    const std::string text = read(source / file);
+    for (auto m = std::sregex_iterator(text.begin(), text.end(), formula_name); m != std::sregex_iterator(); ++m) {
+      const std::string name = (*m)[1];
+      const std::string ending = name.substr(name.rfind('.') + 1);
+      if (ending == "md" || ending == "hpp" || ending == "cpp" || ending == "v" || ending == "txt") continue;
+      EXPECT_TRUE(tree.ids.count(name)) << file << ": `" << name << "` is no formula";
+    }
+  }
+  int citations = 0;
+  for (const std::string& file : files_below("src", {".hpp"})) {
+    const std::string text = read(source / file);
+    for (auto m = std::sregex_iterator(text.begin(), text.end(), cited); m != std::sregex_iterator(); ++m)
+      for (int k : {1, 2})
+        if ((*m)[k].matched) {
+          ++citations;
+          EXPECT_TRUE(anchors.count((*m)[k])) << file << ": erratum " << (*m)[k] << " has no heading in reference/errata.md";
+        }
+  }
+  EXPECT_GE(citations, 8);
+}
+
 }  // namespace rigor::layout
