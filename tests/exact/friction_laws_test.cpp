@@ -160,6 +160,9 @@ TEST(CoulombFriction, ObeysNewtonsRestitutionAndTheConeInEveryOutcome) {
     EXPECT_EQ(v.dot(s.n), -s.e * s.v_n);
     EXPECT_GT(j_n, Q(0));
     EXPECT_LE(j_t.dot(j_t), s.mu_s * s.mu_s * j_n * j_n);
+    const Vec3<Q> stick = impulse_cancelling<Q>(s.K, Vec3<Q>(s.v_r + s.e * s.v_n * s.n)), stick_t = stick - stick.dot(s.n) * s.n;
+    const bool holds = stick.dot(s.n) >= Q(0) && stick_t.dot(stick_t) <= s.mu_s * s.mu_s * stick.dot(s.n) * stick.dot(s.n);
+    EXPECT_EQ(outcome == FrictionOutcome::stuck, holds);
     const bool sliding = outcome == FrictionOutcome::slid || outcome == FrictionOutcome::slip_stopped_inside;
     if (outcome == FrictionOutcome::stuck) {
       EXPECT_EQ(v_t, zero3<Q>());
@@ -255,8 +258,8 @@ TEST(PlanarImpact, IsTheProcessFollowedMomentByMoment) {
 // the process, e² = −W_r/W_c; where that e is rational and at most 1 the law must find p_f again.
 TEST(PlanarImpact, EndsByStrongesRuleWhereTheWorksSaySo) {
   Draw draw(67);
-  int found = 0, two_legs = 0;
-  for (int i = 0; i < 4000 && found < 60; ++i) {
+  int found = 0, two_legs = 0, stops_in_restitution = 0;
+  for (int i = 0; i < 100000 && (found < 60 || stops_in_restitution < 5); ++i) {
     // small numbers, so that squares are not too rare
     PlanarImpact<Q> impact{Q(draw.integer(1, 4)), Q(draw.integer(1, 4)), Q(0), Q(-draw.integer(1, 4)), Q(draw.integer(0, 4)), Q(0), Q(0), Q(0)};
     const long smaller = impact.k_nn < impact.k_tt ? long(double(impact.k_nn)) : long(double(impact.k_tt));
@@ -265,6 +268,7 @@ TEST(PlanarImpact, EndsByStrongesRuleWhereTheWorksSaySo) {
     Process process = process_of(impact);
     process.move_until_v_n(Q(0));
     const Q p_c = process.p, W_c = process.work_n;
+    const bool slips_on = Q(0) < process.v_t;
     process.move_to(p_c * (Q(1) + Q(draw.integer(0, 6), 6)));
     const Q e_squared = -(process.work_n - W_c) / W_c;
     if (Q(1) < e_squared) continue;
@@ -280,9 +284,11 @@ TEST(PlanarImpact, EndsByStrongesRuleWhereTheWorksSaySo) {
     EXPECT_LE(energy_change(impact, j), Q(0));
     ++found;
     two_legs += Q(0) < impact.v_t && j.mode != PlanarMode::sliding;
+    stops_in_restitution += slips_on && j.mode != PlanarMode::sliding;
   }
-  EXPECT_EQ(found, 60);
+  EXPECT_GE(found, 60);
   EXPECT_GT(two_legs, 5);
+  EXPECT_GE(stops_in_restitution, 5);
 }
 
 // case FR-10, FR-12: the published fractions of the cube's corner.
