@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <rigor/contact/impact.hpp>
 #include <rigor/formulas/friction_coulomb.hpp>
 #include <rigor/formulas/friction_sheet.hpp>
 #include <rigor/formulas/friction_stronge.hpp>
@@ -308,6 +309,72 @@ TEST(PlanarImpact, HasTheFractionsOfTheCubesCorner) {
   EXPECT_EQ(reversed.j_n, Q(64, 77));
   EXPECT_EQ(double(energy_change(reverses, reversed)), -0.0738741777702816664);
   EXPECT_EQ(double(energy_change(reverses, planar_impulse<Q>(reverses, Restitution::newton))), 0.0465508517456569405);
+}
+
+// case FR-10, FR-12: Stronge's ends are roots; published to 20 digits. Bound: the header's 32 u times 25/16.
+TEST(PlanarImpact, HasStrongesDigitsOfTheCubesCorner) {
+  const auto in_double = [](const PlanarImpact<Q>& i) {
+    return PlanarImpact<double>{double(i.k_nn), double(i.k_tt), double(i.k_tn), double(i.v_n), double(i.v_t), double(i.e), double(i.mu_s), double(i.mu_d)};
+  };
+  const double bound = 50 * 0x1p-53;
+  const auto sticks = planar_impulse<double>(in_double(corner(Q(1))), Restitution::stronge);
+  EXPECT_NEAR(sticks.j_n, 0.90101240544347893429, bound);
+  EXPECT_NEAR(sticks.j_t, 0.34060744326608736058, bound);
+  const auto reverses = planar_impulse<double>(in_double(corner(Q(1, 2))), Restitution::stronge);
+  EXPECT_NEAR(reverses.j_n, 0.863965623419014773, bound);
+  EXPECT_NEAR(reverses.j_t, 0.250164629891325568, bound);
+  // dE = −1/32 and −0.05181…: for e = 1 friction's work alone
+  const auto energy = [](double k, double k_tn, const PlanarImpulse<double>& j) {
+    return j.j_t * (0.5 + (k * j.j_t + k_tn * j.j_n) / 2) + j.j_n * (-1 + (k * j.j_n + k_tn * j.j_t) / 2);
+  };
+  EXPECT_NEAR(energy(2.5, -1.5, sticks), -1.0 / 32, 4 * bound);
+  EXPECT_NEAR(energy(2.5, -1.5, reverses), -0.0518100934824328402, 4 * bound);
+}
+
+// case FR-11: the cube's corner again, with friction added to the frictionless impulse j_r = 4/5. Taken against the slip
+// before, dE = 14/25 μ + 4/5 μ²; clamped with 1/k_tt still +19/100 from μ = 1/4 on. The sheet's rule (slip after, own
+// mass) gives +49/400 at μ = 1 and leaves the corner approaching: the report says so.
+TEST(SheetFriction, AddedToTheFrictionlessImpulseCreatesEnergyAndSaysSo) {
+  const PlanarImpact<Q> c = corner(Q(1));
+  const Q j_r(4, 5);
+  for (const Q& mu : {Q(1, 10), Q(1, 2), Q(1)})
+    EXPECT_EQ(energy_change(c, {j_r, -mu * j_r, PlanarMode::sliding}), Q(14, 25) * mu + Q(4, 5) * mu * mu);
+  EXPECT_EQ(energy_change(c, {j_r, -c.v_t / c.k_tt, PlanarMode::sliding}), Q(19, 100));
+
+  const Cuboid<Q> cube = *Cuboid<Q>::make(Q(1), {Q(1), Q(1), Q(1)});
+  const Vec3<Q> up(Q(0), Q(1), Q(0)), arm(Q(-1, 2), Q(-1, 2), Q(0));
+  const Contact<Q> contact{{}, {Q(1), world_inverse_inertia<Q>(identity3<Q>(), cube.inverse_inertia()), arm}, up, zero3<Q>()};
+  const PairVelocity<Q> before{{}, {{Q(1, 2), Q(-1), Q(0)}, zero3<Q>()}};
+  const auto [after, report] = resolve_impact<Q>(contact, before, *Surface<Q>::make(Q(1), Q(1), Q(1)), FrictionLaw::sheet);
+  EXPECT_EQ(report.j_W, Vec3<Q>(Q(7, 10), j_r, Q(0)));
+  EXPECT_EQ(report.energy_change, Q(49, 400));
+  EXPECT_TRUE(report.energy_rose);
+  EXPECT_EQ(relative_velocity<Q>(contact.A, contact.B, after).dot(up), Q(-1, 20));
+}
+
+// case FR-18: a block that rocks on one corner and lands on the other, e = 0, no slip: ω'/ω = 1 − 3/2 sin²α, sin²α = b²/(b² + h²),
+// b and h half base and half height. Angular momentum about the new corner is kept: I + m(h² − b²) = (I + m(h² + b²)) ω'/ω.
+TEST(CoulombFriction, TurnsARockingBlockOnItsOtherCornerByHousnersRatio) {
+  const auto ratio = [](const Q& b, const Q& h) {
+    const Cuboid<Q> block = *Cuboid<Q>::make(Q(3), {Q(2) * b, Q(2) * h, Q(7, 5)});
+    const Vec3<Q> up(Q(0), Q(1), Q(0)), along(Q(1), Q(0), Q(0)), old_corner(-b, -h, Q(0)), new_corner(b, -h, Q(0));
+    const Vec3<Q> w(Q(0), Q(0), Q(-1)), v = -cross<Q>(w, old_corner);  // the old corner is at rest
+    const ImpactBody<Q> B{block.inverse_mass(), world_inverse_inertia<Q>(identity3<Q>(), block.inverse_inertia()), new_corner};
+    const Vec3<Q> v_r = v + cross<Q>(w, new_corner);
+    const auto impact = coulomb_impulse<Q>(effective_inverse_mass<Q>(ImpactBody<Q>{}, B), v_r, up, along, Q(0), Q(1000), Q(1000));
+    EXPECT_EQ(impact.outcome, FrictionOutcome::stuck);
+    const Velocity<Q> after = apply_impulse<Q>(B, {v, w}, impact.j_W);
+    EXPECT_EQ(Vec3<Q>(after.v_WB + cross<Q>(after.w_WB, new_corner)), zero3<Q>());
+    return after.w_WB[2] / w[2];
+  };
+  EXPECT_EQ(ratio(Q(1), Q(3)), Q(17, 20));  // sin²α = 1/10
+  EXPECT_EQ(ratio(Q(1), Q(1)), Q(1, 4));    // a cube
+  EXPECT_EQ(ratio(Q(2), Q(7, 3)), Q(1) - Q(3, 2) * Q(4) / (Q(4) + Q(49, 9)));
+  Draw draw(69);
+  for (int i = 0; i < draws; ++i) {
+    const Q b = draw.positive(), h = draw.positive();
+    EXPECT_EQ(ratio(b, h), Q(1) - Q(3, 2) * b * b / (b * b + h * h));
+  }
 }
 
 // friction.stronge is a method in double; with e = 0 its end is the end of compression, and in the plane of a K that
