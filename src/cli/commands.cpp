@@ -1,12 +1,14 @@
 #include <rigor/cli/commands.hpp>
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/grade.hpp>
+#include <rigor/cli/run.hpp>
 #include <rigor/cli/verify.hpp>
 
 namespace rigor::cli {
 
 void add_commands(CLI::App& app, int& exit_status) {
   add_grade(app, exit_status);
+  add_run(app, exit_status);
   add_verify(app, exit_status);
   add_explain(app, exit_status);
 }

@@ -51,7 +51,7 @@ Judgement judge_pure(const Scenario& s, const std::vector<Reply>& r, bool) {
 }  // namespace
 
 std::vector<Check> force_checks() {
-  return {
+  std::vector<Check> list{
       {"force.sum", "Force", StudentFunction::apply_force, "force.sum", "the force is added to the net force", 4,
        {"force.overwritten", "force.no-force", "force.over-mass", "force.reversed"}, draw, ask, judge_force},
       {"force.torque", "Force", StudentFunction::apply_force, "force.torque",
@@ -62,6 +62,8 @@ std::vector<Check> force_checks() {
       {"force.pure", "Force", StudentFunction::apply_force, "force.torque", "a force at the centre of mass gives no torque", 2,
        {"force.arm-from-origin", "force.arm-plus-centre"}, draw_at_centre, ask, judge_pure},
   };
+  list[2].renew = [](Scenario& s) { s.point = s.A.position; };
+  return list;
 }
 
 }  // namespace rigor::grader

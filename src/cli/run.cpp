@@ -1,0 +1,88 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/cli/run.hpp>
+#include <rigor/scene/trajectory.hpp>
+
+namespace rigor::cli {
+namespace {
+
+struct Options {
+  std::string scene, method, out;
+  std::optional<double> dt, until, every;
+  std::uint64_t seed = 0;
+  bool json = false, quiet = false;
+};
+
+int bad_input(const Fault& fault) {
+  std::fprintf(stderr, "rigor run: %s\n", fault.text().c_str());
+  return 2;
+}
+
+void print(const Scene& scene, const RunSummary& run, double wall) {
+  const Ledger& l = run.ledger;
+  std::printf("%s: %zu cuboids, %zu planes, method %s, dt %g s, %ld steps to t = %g s in %.3f s\n", scene.name.c_str(), scene.bodies.size(),
+              scene.planes.size(), scene.method.c_str(), scene.dt, run.steps, run.t_end, wall);
+  std::printf("  energy             %12.6g -> %-12.6g J   work %.4g, restitution lost %.4g, friction lost %.4g, correction %.4g\n", l.energy.start,
+              l.energy.end, l.energy.work, l.energy.restitution_loss, l.energy.friction_loss, l.energy.correction);
+  std::printf("  unexplained, worst %12.3g J         linear momentum %.3g N s   angular momentum %.3g kg m^2/s\n", l.energy.worst_drift,
+              l.linear.worst_drift, l.angular.worst_drift);
+  std::printf("  impacts            %12ld           planes %ld, pairs %ld; %ld with more energy after than before\n", l.impacts, l.plane_impacts,
+              l.pair_impacts, l.energy_rises);
+  std::printf("  deepest overlap    %12.3g m         rotation matrices off orthonormal by %.2g\n", l.deepest_penetration, l.worst_orthonormality);
+}
+
+int run_command(const Options& options) {
+  auto opened = open_scene(options.scene, options.seed);
+  if (!opened) return bad_input(opened.fault());
+  Scene scene = *opened;
+  if (!options.method.empty()) scene.method = options.method;
+  if (options.dt) scene.dt = *options.dt;
+  if (options.until) scene.until = *options.until;
+  if (options.every) scene.every = *options.every;
+  if (const auto ok = check_scene(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
+
+  TrajectoryCsv csv(scene.bodies.size());
+  const bool keep = !options.out.empty();
+  const auto start = std::chrono::steady_clock::now();
+  const RunSummary run = simulate(scene, [&](double t, const std::vector<State<double>>& states) {
+    if (keep) csv.add(t, states);
+  });
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::string summary = summary_json(scene, run, wall);
+  if (keep) {
+    const std::filesystem::path dir = options.out;
+    if (const auto written = write_file(dir / "trajectory.csv", csv.text()); !written) return bad_input(written.fault());
+    if (const auto written = write_file(dir / "summary.json", summary); !written) return bad_input(written.fault());
+  }
+  if (options.json) std::fputs(summary.c_str(), stdout);
+  else if (!options.quiet) print(scene, run, wall);
+  if (!run.finite) {
+    std::fprintf(stderr, "rigor run: a number stopped being finite at t = %g s; the step is too long for this scene and method\n", run.t_end);
+    return 1;
+  }
+  return run.interrupted ? 128 + interrupted() : 0;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("run", "simulate a scene: trajectory, energy and momentum accounts");
+  command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
+  command->add_option("--method", options->method, "integrator in place of the scene's");
+  command->add_option("--dt", options->dt, "step, s");
+  command->add_option("--until", options->until, "end, s");
+  command->add_option("--every", options->every, "output interval, s; 0: each step");
+  command->add_option("--seed", options->seed, "of the scene's random numbers");
+  command->add_option("--out", options->out, "directory for trajectory.csv and summary.json");
+  command->add_flag("--json", options->json, "print summary.json");
+  command->add_flag("--quiet", options->quiet, "print nothing");
+  command->footer("Example:  rigor run assignment --seed 3 --out runs/three");
+  command->callback([options, &exit_status] { exit_status = run_command(*options); });
+}
+
+}  // namespace rigor::cli

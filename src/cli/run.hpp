@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace rigor::cli {
+
+/// `rigor run SCENE [--method M] [--dt S] [--until S] [--every S] [--seed N] [--out DIR]`
+void add_run(CLI::App& app, int& exit_status);
+
+}  // namespace rigor::cli

@@ -1,0 +1,73 @@
+#include <rigor/formulas/angular_acceleration.hpp>
+#include <rigor/formulas/linear_acceleration.hpp>
+#include <rigor/formulas/semi_implicit_step.hpp>
+#include <rigor/formulas/world_inverse_inertia.hpp>
+#include <rigor/integrators/euler.hpp>
+#include <rigor/linalg/rotation.hpp>
+
+namespace rigor {
+namespace {
+
+struct Rates {
+  Vec3<double> a, alpha;
+};
+Rates rates(const Cuboid<double>& body, const State<double>& s, const Load& load) {
+  const Mat3<double> I = world_inertia<double>(s.R_WB, body.inertia());
+  const Mat3<double> inverse_I = world_inverse_inertia<double>(s.R_WB, body.inverse_inertia());
+  return {linear_acceleration<double>(body.inverse_mass(), load.f_W), angular_acceleration<double>(I, inverse_I, s.w_WB, load.tau_W)};
+}
+Vec3<double> advanced(const Vec3<double>& x, double h, const Vec3<double>& rate) {
+  return Vec3<double>(x[0] + h * rate[0], x[1] + h * rate[1], x[2] + h * rate[2]);
+}
+// Velocities and position of the sheet's step; the attitude is the caller's.
+State<double> semi_implicit(const Cuboid<double>& body, const State<double>& s, const Load& load, double h) {
+  const Rates r = rates(body, s, load);
+  State<double> next = s;
+  next.v_WB = advanced(s.v_WB, h, r.a);
+  next.w_WB = advanced(s.w_WB, h, r.alpha);
+  next.p_WB = advanced(s.p_WB, h, next.v_WB);
+  return next;
+}
+
+}  // namespace
+
+Motion step_sheet(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  const Rates r = rates(body, now.state, load);
+  return motion_of(body, semi_implicit_step<double>(h, now.state, r.a, r.alpha));
+}
+
+Motion step_explicit_euler(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  const State<double>& s = now.state;
+  const Rates r = rates(body, s, load);
+  State<double> next;
+  next.p_WB = advanced(s.p_WB, h, s.v_WB);
+  next.R_WB = gram_schmidt<double>(naive_rotation_step<double>(h, s.w_WB, s.R_WB));
+  next.v_WB = advanced(s.v_WB, h, r.a);
+  next.w_WB = advanced(s.w_WB, h, r.alpha);
+  return motion_of(body, next);
+}
+
+Motion step_euler_naive(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  State<double> next = semi_implicit(body, now.state, load, h);
+  next.R_WB = naive_rotation_step<double>(h, next.w_WB, now.state.R_WB);
+  return motion_of(body, next);
+}
+
+Motion step_euler_exponential(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  State<double> next = semi_implicit(body, now.state, load, h);
+  const Mat3<double> turn = exp_so3<double>(Vec3<double>(h * next.w_WB));
+  for (int k = 0; k < 3; ++k) next.R_WB.col(k) = apply<double>(turn, now.state.R_WB.col(k));
+  return motion_of(body, next);
+}
+
+Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  Motion next = now;
+  next.L_W = advanced(now.L_W, h, load.tau_W);
+  next.state.w_WB = apply<double>(world_inverse_inertia<double>(now.state.R_WB, body.inverse_inertia()), next.L_W);
+  next.state.v_WB = advanced(now.state.v_WB, h, linear_acceleration<double>(body.inverse_mass(), load.f_W));
+  next.state.p_WB = advanced(now.state.p_WB, h, next.state.v_WB);
+  next.state.R_WB = gram_schmidt<double>(naive_rotation_step<double>(h, next.state.w_WB, now.state.R_WB));
+  return next;
+}
+
+}  // namespace rigor

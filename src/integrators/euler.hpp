@@ -1,0 +1,22 @@
+#pragma once
+#include <rigor/integrators/method.hpp>
+
+namespace rigor {
+
+/// The assignment's step: semi-implicit Euler on (v, ω) with the gyroscopic term, Gram-Schmidt on R. Order 1.
+Motion step_sheet(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Everything from the old state, Gram-Schmidt on R. Order 1; gains energy every step (case D-07).
+Motion step_explicit_euler(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// As the sheet's step, but R + h[ω]ₓR is left as it is: R leaves the rotations (case K-07). Kept to be studied.
+Motion step_euler_naive(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// As the sheet's step, but R' = exp(h[ω']ₓ) R. Order 1, R a rotation to rounding.
+Motion step_euler_exponential(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Momentum form: L' = L + h τ, ω' = I⁻¹ L' at the old attitude, R' = GramSchmidt(R + h[ω']ₓ R). Order 1; without
+/// torque L stays the same to the bit (case D-08).
+Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+}  // namespace rigor

@@ -1,0 +1,40 @@
+#pragma once
+#include <rigor/bodies/cuboid.hpp>
+#include <rigor/formulas/state.hpp>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// Force and torque about the centre of mass, world axes, held constant over a step.
+struct Load {
+  Vec3<double> f_W = zero3<double>();
+  Vec3<double> tau_W = zero3<double>();
+};
+
+/// State of a body as a method keeps it. `L_W`, the spin angular momentum, is carried along: the momentum forms
+/// treat it as the state and ω as derived; the others keep it up to date from ω.
+struct Motion {
+  State<double> state;
+  Vec3<double> L_W = zero3<double>();
+};
+
+/// The motion of a body with this state: L = I ω at its attitude.
+Motion motion_of(const Cuboid<double>& body, const State<double>& state);
+
+/// A fixed-step method: pure, no memory but what Motion carries.
+struct Method {
+  std::string_view name;
+  int order;                    ///< on smooth problems
+  std::string_view conserves;   ///< without load, to rounding; "" when nothing
+  int evaluations;              ///< of Euler's equation (or rotations) in one step
+  std::string_view source;
+  Motion (*step)(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+};
+
+/// Every method, by file: to add one, write step_NAME in a file of its own and a row in methods.cpp.
+const std::vector<Method>& methods();
+/// nullptr when there is none of that name.
+const Method* find_method(std::string_view name);
+
+}  // namespace rigor

@@ -1,0 +1,27 @@
+#pragma once
+#include <rigor/linalg/types.hpp>
+
+namespace rigor {
+
+/// Accounts over a run. What is not explained by loads, impacts and corrections is the method's own error: `drift`.
+struct Ledger {
+  struct Energy {
+    double start = 0, end = 0;      ///< kinetic + potential, J
+    double work = 0;                ///< by forces other than gravity
+    double restitution_loss = 0, friction_loss = 0;  ///< in impacts
+    double correction = 0;          ///< potential energy given by pushing bodies out of planes and each other
+    double switched = 0;            ///< potential energy that came or went with the gravity switch
+    double worst_drift = 0;
+  } energy;
+  struct Momentum {
+    Vec3<double> start = zero3<double>(), end = start;
+    Vec3<double> external = start;  ///< given by gravity, forces, planes (and, for L, by position corrections)
+    double worst_drift = 0;
+  } linear, angular;                ///< N s; kg m²/s about the world's origin
+  long impacts = 0, plane_impacts = 0, pair_impacts = 0;
+  long energy_rises = 0;            ///< impacts after which there was more kinetic energy than before
+  double worst_orthonormality = 0;  ///< max |RᵀR − 1| seen
+  double deepest_penetration = 0;   ///< m, before correction
+};
+
+}  // namespace rigor

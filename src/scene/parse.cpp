@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <rigor/base/file.hpp>
+#include <rigor/base/suggest.hpp>
+#include <rigor/integrators/method.hpp>
+#include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/scene.hpp>
+#include <set>
+
+namespace rigor {
+namespace {
+
+using Json = nlohmann::json;
+using Kind = Fault::Kind;
+using V = Vec3<double>;
+
+std::string shown(double x) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, x);
+  return std::string(text, end.ptr);
+}
+
+// Throws the first fault; caught in parse_scene. The rest of the file then reads straight down.
+struct Refused {
+  Fault fault;
+};
+[[noreturn]] void refuse(Kind kind, const std::string& where, const std::string& what) { throw Refused{{kind, where, what}}; }
+
+void known_keys(const Json& object, const std::string& where, const std::vector<std::string>& keys) {
+  if (!object.is_object()) refuse(Kind::wrong_type, where, "must be an object {...}");
+  for (const auto& [key, value] : object.items())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      refuse(Kind::unknown_key, where.empty() ? "scene" : where, "has an unknown key '" + key + "'" + did_you_mean(key, keys));
+}
+
+double number(const Json& value, const std::string& where, double low, double high, const char* range) {
+  if (!value.is_number()) refuse(Kind::wrong_type, where, "must be a number, " + std::string(range));
+  const double x = value.get<double>();
+  if (!std::isfinite(x)) refuse(Kind::not_finite, where, "is not finite, must be " + std::string(range));
+  if (!(x >= low && x <= high)) refuse(Kind::out_of_range, where, "is " + shown(x) + ", must be " + range);
+  return x;
+}
+constexpr double anything = 1e300;
+
+std::string element(const std::string& where, std::size_t i) { return where + "[" + std::to_string(i) + "]"; }
+
+const Json& list(const Json& value, const std::string& where, std::size_t length) {
+  if (!value.is_array() || (length != 0 && value.size() != length))
+    refuse(Kind::wrong_type, where, length == 0 ? "must be a list [...]" : "must be a list of " + std::to_string(length) + " numbers");
+  return value;
+}
+V vector(const Json& value, const std::string& where) {
+  V v;
+  list(value, where, 3);
+  for (std::size_t i = 0; i < 3; ++i) v[int(i)] = number(value[i], element(where, i), -anything, anything, "any finite number");
+  return v;
+}
+std::string word(const Json& value, const std::string& where, const std::vector<std::string>& words) {
+  std::string text;
+  if (value.is_string()) text = value.get<std::string>();
+  if (std::find(words.begin(), words.end(), text) != words.end()) return text;
+  std::string all;
+  for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
+  refuse(Kind::out_of_range, where, "must be one of " + all + did_you_mean(text, words));
+}
+bool has(const Json& object, const char* key) { return object.contains(key); }
+const Json& required(const Json& object, const char* key, const std::string& where) {
+  if (!has(object, key)) refuse(Kind::missing, where.empty() ? key : where + "." + key, "is missing");
+  return object.at(key);
+}
+
+// A quaternion (w, x, y, z) or a 3x3 matrix by rows. Refused when not a rotation within 1e-9: nothing is repaired.
+Mat3<double> orientation(const Json& value, const std::string& where) {
+  if (value.is_array() && value.size() == 4) {
+    Vec4<double> q;
+    for (std::size_t i = 0; i < 4; ++i) q[int(i)] = number(value[i], element(where, i), -anything, anything, "any finite number");
+    const double length = std::sqrt(q.dot(q));
+    if (!(std::fabs(length - 1) <= 1e-9)) refuse(Kind::not_unit, where, "has length " + shown(length) + ", a quaternion must have length 1 within 1e-9");
+    return rotation_of<double>(q);
+  }
+  if (!value.is_array() || value.size() != 3) refuse(Kind::wrong_type, where, "must be a quaternion [w, x, y, z] or three rows of three numbers");
+  Mat3<double> R;
+  for (std::size_t i = 0; i < 3; ++i) R.row(int(i)) = vector(value[i], element(where, i)).transpose();
+  const double defect = orthonormality_defect<double>(R);
+  if (!(defect <= 1e-9)) refuse(Kind::not_orthonormal, where, "is off orthonormal by " + shown(defect) + ", at most 1e-9 is allowed");
+  if (dot<double>(cross<double>(R.col(0), R.col(1)), R.col(2)) < 0) refuse(Kind::not_orthonormal, where, "is a reflection (determinant -1), must be a rotation");
+  return R;
+}
+
+template <class T>
+T made(Outcome<T> outcome, const std::string& where) {
+  if (!outcome) throw Refused{outcome.fault().inside(where)};
+  return std::move(outcome).value();
+}
+
+SceneBody body(const Json& json, const std::string& where) {
+  known_keys(json, where, {"size", "mass", "position", "orientation", "velocity", "spin"});
+  const V size = vector(required(json, "size", where), where + ".size");
+  const double mass = number(required(json, "mass", where), where + ".mass", -anything, anything, "> 0");
+  for (int i = 0; i < 3; ++i)
+    if (!(size[i] > 0)) refuse(Kind::not_positive, element(where + ".size", std::size_t(i)), "is " + shown(size[i]) + ", must be > 0");
+  if (!(mass > 0)) refuse(Kind::not_positive, where + ".mass", "is " + shown(mass) + ", must be > 0");
+  SceneBody b{made(Cuboid<double>::make(mass, size), where), {}};
+  b.start.p_WB = vector(required(json, "position", where), where + ".position");
+  if (has(json, "orientation")) b.start.R_WB = orientation(json["orientation"], where + ".orientation");
+  if (has(json, "velocity")) b.start.v_WB = vector(json["velocity"], where + ".velocity");
+  if (has(json, "spin")) b.start.w_WB = vector(json["spin"], where + ".spin");
+  return b;
+}
+Plane<double> plane(const Json& json, const std::string& where) {
+  known_keys(json, where, {"point", "normal"});
+  return made(Plane<double>::make(vector(required(json, "point", where), where + ".point"), vector(required(json, "normal", where), where + ".normal")), where);
+}
+SceneForce force(const Json& json, const std::string& where, std::size_t bodies) {
+  known_keys(json, where, {"body", "force", "at", "at_axes", "from", "to"});
+  SceneForce f{};
+  const Json& index = required(json, "body", where);
+  if (!index.is_number_integer() || index.get<long>() < 0 || index.get<long>() >= long(bodies))
+    refuse(Kind::out_of_range, where + ".body", "is " + index.dump().substr(0, 40) + ", must be an index in [0, " + std::to_string(bodies) + ")");
+  f.body = index.get<int>();
+  f.force = vector(required(json, "force", where), where + ".force");
+  if (has(json, "at")) f.at = vector(json["at"], where + ".at");
+  if (has(json, "at_axes")) f.at_turns = word(json["at_axes"], where + ".at_axes", {"body", "world"}) == "body";
+  f.from = has(json, "from") ? number(json["from"], where + ".from", 0, anything, ">= 0 s") : 0;
+  f.to = has(json, "to") ? number(json["to"], where + ".to", f.from, anything, ">= from") : anything;
+  return f;
+}
+SceneAction action(const Json& json, const std::string& where) {
+  known_keys(json, where, {"at", "do"});
+  const std::vector<std::string> words{"vacuum-on", "vacuum-off", "gravity-on", "gravity-off"};
+  const std::string what = word(required(json, "do", where), where + ".do", words);
+  return {number(required(json, "at", where), where + ".at", 0, anything, ">= 0 s"), SceneAction::Do(std::find(words.begin(), words.end(), what) - words.begin())};
+}
+
+const std::vector<std::string> scene_keys{"name", "cuboids", "planes", "gravity", "restitution", "static_friction", "dynamic_friction", "friction_law",
+                                          "pair_detection", "forces", "actions", "method", "dt", "until", "every", "seed"};
+
+Scene from_json(const Json& json) {
+  known_keys(json, "", scene_keys);
+  Scene s;
+  if (has(json, "name")) {
+    if (!json["name"].is_string()) refuse(Kind::wrong_type, "name", "must be a text in quotes");
+    s.name = json["name"];
+  }
+  const Json& cuboids = list(required(json, "cuboids", ""), "cuboids", 0);
+  for (std::size_t i = 0; i < cuboids.size(); ++i) s.bodies.push_back(body(cuboids[i], element("cuboids", i)));
+  if (has(json, "planes"))
+    for (std::size_t i = 0; i < list(json["planes"], "planes", 0).size(); ++i) s.planes.push_back(plane(json["planes"][i], element("planes", i)));
+  if (has(json, "gravity")) s.gravity = vector(json["gravity"], "gravity");
+  const auto coefficient = [&](const char* key, double high, const char* range) { return has(json, key) ? number(json[key], key, 0, high, range) : 0; };
+  const double mu_s = coefficient("static_friction", anything, ">= 0");
+  const double mu_d = has(json, "dynamic_friction") ? coefficient("dynamic_friction", anything, ">= 0") : mu_s;
+  s.surface = made(Surface<double>::make(coefficient("restitution", 1, "in [0, 1]"), mu_s, mu_d), "");
+  if (has(json, "friction_law")) s.friction_law = *friction_law_named(word(json["friction_law"], "friction_law", {"sheet", "sheet_literal", "coulomb", "stronge"}));
+  if (has(json, "pair_detection")) s.pair_detection = word(json["pair_detection"], "pair_detection", {"15-axes", "handed-out"}) == "handed-out" ? PairDetection::handed_out : PairDetection::axes;
+  if (has(json, "forces"))
+    for (std::size_t i = 0; i < list(json["forces"], "forces", 0).size(); ++i) s.forces.push_back(force(json["forces"][i], element("forces", i), s.bodies.size()));
+  if (has(json, "actions"))
+    for (std::size_t i = 0; i < list(json["actions"], "actions", 0).size(); ++i) s.actions.push_back(action(json["actions"][i], element("actions", i)));
+  if (has(json, "method")) {
+    if (!json["method"].is_string()) refuse(Kind::wrong_type, "method", "must be a text in quotes");
+    s.method = json["method"];
+  }
+  if (has(json, "dt")) s.dt = number(json["dt"], "dt", -anything, anything, "> 0 s");
+  if (has(json, "until")) s.until = number(json["until"], "until", -anything, anything, ">= 0 s");
+  if (has(json, "every")) s.every = number(json["every"], "every", 0, anything, ">= 0 s (0: each step)");
+  if (has(json, "seed")) {
+    if (!json["seed"].is_number_unsigned()) refuse(Kind::wrong_type, "seed", "must be a whole number >= 0");
+    s.seed = json["seed"].get<std::uint64_t>();
+  }
+  return s;
+}
+
+// JSON lets a key stand twice, and the last one would win in silence; and a file may nest deeper than any scene does.
+Json parsed(const std::string& text) {
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > 16) refuse(Kind::malformed, "scene", "nests deeper than 16 levels");
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      refuse(Kind::malformed, "scene", "has the key '" + value.get<std::string>() + "' twice");
+    return true;
+  };
+  return Json::parse(text, watch);
+}
+
+}  // namespace
+
+Outcome<bool> check_scene(const Scene& s) {
+  std::vector<std::string> names;
+  for (const Method& m : methods()) names.push_back(std::string(m.name));
+  if (find_method(s.method) == nullptr) return Fault{Kind::unsupported, "method", "there is no method '" + s.method + "'" + did_you_mean(s.method, names)};
+  if (!(s.dt > 0) || !std::isfinite(s.dt)) return Fault{Kind::not_positive, "dt", "is " + shown(s.dt) + ", must be > 0 s"};
+  if (!(s.until >= 0) || !std::isfinite(s.until)) return Fault{Kind::negative, "until", "is " + shown(s.until) + ", must be >= 0 s"};
+  if (s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};
+  if (!(s.every >= 0) || !std::isfinite(s.every)) return Fault{Kind::negative, "every", "is " + shown(s.every) + ", must be >= 0 s (0: each step)"};
+  for (std::size_t i = 1; i < s.actions.size(); ++i)
+    if (s.actions[i].at < s.actions[i - 1].at) return Fault{Kind::out_of_range, element("actions", i) + ".at", "is " + shown(s.actions[i].at) + ", must not be before the action above it"};
+  const bool cone = s.friction_law == FrictionLaw::coulomb || s.friction_law == FrictionLaw::stronge;
+  if (cone && s.surface.dynamic_friction() > s.surface.static_friction())
+    return Fault{Kind::out_of_range, "dynamic_friction", "is " + shown(s.surface.dynamic_friction()) + ", must not exceed static_friction with friction_law " + name(s.friction_law)};
+  return true;
+}
+
+Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {
+  try {
+    Scene scene = from_json(parsed(text));
+    if (const auto ok = check_scene(scene); !ok) throw Refused{ok.fault()};
+    if (scene.name.empty()) scene.name = name;
+    return scene;
+  } catch (const Refused& refused) {
+    Fault fault = refused.fault;
+    fault.where = name + ": " + fault.where;
+    return fault;
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
+    return Fault{Kind::malformed, name + ":", "is no JSON" + (what.find("at line") == std::string::npos ? std::string() : ": " + what.substr(what.find("] ") + 2, 160))};
+  }
+}
+
+Outcome<Scene> open_scene(const std::string& path_or_name, std::uint64_t seed) {
+  const auto names = builtin_scenes();
+  if (std::find(names.begin(), names.end(), path_or_name) != names.end()) return builtin_scene(path_or_name, seed == 0 ? 1 : seed);
+  const auto text = read_file(path_or_name, 64u << 20);
+  if (!text) {
+    Fault fault = text.fault();
+    if (path_or_name.find('.') == std::string::npos && path_or_name.find('/') == std::string::npos) {
+      fault.what = "is neither a file nor a built-in scene" + did_you_mean(path_or_name, names) + "; built in: ";
+      for (const std::string& n : names) fault.what += (n == names.front() ? "" : ", ") + n;
+    }
+    return fault;
+  }
+  auto scene = parse_scene(*text, path_or_name);
+  if (!scene || seed == 0) return scene;
+  Scene seeded = *scene;
+  seeded.seed = seed;
+  return seeded;
+}
+
+}  // namespace rigor

@@ -1,0 +1,30 @@
+#pragma once
+#include <functional>
+#include <rigor/integrators/method.hpp>
+#include <rigor/scene/ledger.hpp>
+#include <rigor/scene/scene.hpp>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Called at t = 0, at every output time and at `until`: the states of all bodies, in scene order.
+using Observer = std::function<void(double t, const std::vector<State<double>>& states)>;
+
+struct RunSummary {
+  Ledger ledger;
+  long steps = 0;
+  double t_end = 0;      ///< `until`, or earlier when interrupted
+  bool interrupted = false;
+  bool finite = true;    ///< false: the run stopped at the first step with a number that is not finite
+};
+
+/// The assignment's program, step by step: forces; every cuboid against every plane; every pair i < j, with the
+/// position correction split half and half, then the impulse; then every cuboid advances. The last step is shortened
+/// to end at `until` exactly; a remainder below 1e-9 of a step is joined to the step before it.
+///
+/// Friction acts on planes only, pairs have the normal impulse (as the assignment asks). Contact points of a pair: the
+/// centroid of the manifold, or the handed-out corner.
+RunSummary simulate(const Scene& scene, const Observer& observe);
+
+}  // namespace rigor

@@ -1,0 +1,84 @@
+#include <Eigen/SVD>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <rigor/scene/trajectory.hpp>
+
+namespace rigor {
+namespace {
+
+void append(std::string& out, double x) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, x);
+  out.append(text, end.ptr);
+}
+
+Mat3<double> nearest_rotation(const Mat3<double>& R) {
+  if (!(orthonormality_defect<double>(R) > 1e-12)) return R;
+  const Eigen::JacobiSVD<Mat3<double>> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+nlohmann::ordered_json number(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+nlohmann::ordered_json vector(const Vec3<double>& v) { return {number(v[0]), number(v[1]), number(v[2])}; }
+nlohmann::ordered_json momentum(const Ledger::Momentum& m) {
+  return {{"start", vector(m.start)}, {"end", vector(m.end)}, {"external", vector(m.external)}, {"worst_drift", number(m.worst_drift)}};
+}
+
+}  // namespace
+
+TrajectoryCsv::TrajectoryCsv(std::size_t bodies)
+    : last_(bodies, Vec4<double>(1, 0, 0, 0)), text_("t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n") {}
+
+void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const State<double>& s = states[i];
+    Vec4<double> q = quaternion_of<double>(nearest_rotation(s.R_WB));
+    if (q.dot(last_[i]) < 0) q = -q;
+    last_[i] = q;
+    append(text_, t);
+    text_ += "," + std::to_string(i);
+    const auto add_all = [&](const auto& v) {
+      for (int k = 0; k < v.size(); ++k) text_ += ",", append(text_, v[k]);
+    };
+    add_all(s.p_WB), add_all(q), add_all(s.v_WB), add_all(s.w_WB);
+    text_ += "\n";
+  }
+}
+
+std::string summary_json(const Scene& scene, const RunSummary& run, double wall_s) {
+  const Ledger& l = run.ledger;
+  const Ledger::Energy& e = l.energy;
+  nlohmann::ordered_json json{
+      {"schema", "rigor.summary/1"},
+      {"scene", scene.name},
+      {"seed", scene.seed},
+      {"method", scene.method},
+      {"friction_law", name(scene.friction_law)},
+      {"pair_detection", scene.pair_detection == PairDetection::axes ? "15-axes" : "handed-out"},
+      {"corner_rule", "one after another, index order"},
+      {"dt", scene.dt},
+      {"until", scene.until},
+      {"t_end", run.t_end},
+      {"steps", run.steps},
+      {"finite", run.finite},
+      {"interrupted", run.interrupted},
+      {"energy",
+       {{"start", number(e.start)}, {"end", number(e.end)}, {"work", number(e.work)}, {"restitution_loss", number(e.restitution_loss)},
+        {"friction_loss", number(e.friction_loss)}, {"correction", number(e.correction)}, {"switched", number(e.switched)}, {"worst_drift", number(e.worst_drift)}}},
+      {"linear_momentum", momentum(l.linear)},
+      {"angular_momentum", momentum(l.angular)},
+      {"impacts", {{"total", l.impacts}, {"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}}},
+      {"deepest_penetration", number(l.deepest_penetration)},
+      {"orthonormality_defect", number(l.worst_orthonormality)},
+      {"skips", nlohmann::ordered_json::object()},
+      {"handed_over", 0},
+      {"wall_s", wall_s}};
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rigor
