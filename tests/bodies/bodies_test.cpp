@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
+
+#include <limits>
 #include <rigor/bodies/cuboid.hpp>
 #include <rigor/bodies/plane.hpp>
 #include <rigor/linalg/rotation.hpp>
-
-#include <limits>
 #include <set>
 
 namespace rigor {
@@ -38,13 +38,15 @@ TEST(Cuboid, RefusesWhatIsNoMassOrSizeAndNamesTheField) {
   EXPECT_EQ(Cuboid<double>::make(0x1p-1074, s).fault().kind, Kind::out_of_range);
 }
 
-// case I-08: the unit of length changed by 2^k changes moments by 2^2k exactly, or the fault says out of range.
+// case I-08: the unit of length changed by 2^k changes moments by 2^2k exactly, or the fault says out of
+// range.
 TEST(Cuboid, ScalesItsInertiaByPowersOfTwoExactly) {
   const Vec3<double> s(0.1, 0.4, 0.9);
   const auto one = *Cuboid<double>::make(10, s);
   int made = 0;
   for (int k = -600; k <= 600; ++k) {
-    const auto scaled = Cuboid<double>::make(10, {std::ldexp(s[0], k), std::ldexp(s[1], k), std::ldexp(s[2], k)});
+    const auto scaled =
+        Cuboid<double>::make(10, {std::ldexp(s[0], k), std::ldexp(s[1], k), std::ldexp(s[2], k)});
     if (!scaled) {
       EXPECT_EQ(scaled.fault().kind, Fault::Kind::out_of_range);
       continue;

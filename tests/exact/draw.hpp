@@ -12,6 +12,8 @@ namespace rigor {
 
 using Q = Rational;
 
+inline Q determinant(const Mat3<Q>& M) { return cross<Q>(M.col(0), M.col(1)).dot(M.col(2)); }
+
 /// Draws per identity. A wrong identity whose cleared numerator has degree d vanishes at a random point with
 /// probability at most d/|S| (Schwartz-Zippel), S the numerators drawn from: here |S| = 2^32, so for d = 1000
 /// eight draws let it pass with probability below 1e-52.
@@ -21,7 +23,8 @@ constexpr int draws = 8;
 /// inertia) holds exactly, by a rational parametrisation.
 class Draw {
  public:
-  /// `reach` bounds the numerators; small ones make long computations cheap and identities easier to pass by accident.
+  /// `reach` bounds the numerators; small ones make long computations cheap and identities easier to pass by
+  /// accident.
   explicit Draw(std::uint64_t seed, long reach = 1L << 31) : reach_(reach), random_(seed) {}
 
   /// In [low, high], the same on every standard library (the distributions of <random> are not).

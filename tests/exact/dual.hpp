@@ -4,7 +4,8 @@
 
 namespace rigor {
 
-/// a + b ε with ε² = 0 over the rationals: a formula run on it yields its exact derivative as the second part.
+/// a + b ε with ε² = 0 over the rationals: a formula run on it yields its exact derivative as the second
+/// part.
 struct Dual {
   Rational value, slope;
 
@@ -26,7 +27,8 @@ struct Dual {
 
 /// x + ε x_dot, component by component.
 template <int N>
-Eigen::Matrix<Dual, N, 1> moving(const Eigen::Matrix<Rational, N, 1>& x, const Eigen::Matrix<Rational, N, 1>& x_dot) {
+Eigen::Matrix<Dual, N, 1> moving(const Eigen::Matrix<Rational, N, 1>& x,
+                                 const Eigen::Matrix<Rational, N, 1>& x_dot) {
   Eigen::Matrix<Dual, N, 1> both;
   for (int i = 0; i < N; ++i) both[i] = Dual(x[i], x_dot[i]);
   return both;
@@ -49,6 +51,12 @@ struct Eigen::NumTraits<rigor::Dual> : Eigen::GenericNumTraits<rigor::Dual> {
   using Nested = rigor::Dual;
   using Literal = rigor::Dual;
   enum {
-    IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 20, AddCost = 200, MulCost = 300
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 20,
+    AddCost = 200,
+    MulCost = 300
   };
 };

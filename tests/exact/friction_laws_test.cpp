@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
+
+#include <map>
 #include <rigor/contact/impact.hpp>
 #include <rigor/formulas/friction_coulomb.hpp>
 #include <rigor/formulas/friction_sheet.hpp>
 #include <rigor/formulas/friction_stronge.hpp>
 #include <rigor/formulas/friction_stronge_planar.hpp>
 #include <tests/exact/draw.hpp>
-
-#include <map>
 
 namespace rigor {
 namespace {
@@ -21,7 +21,15 @@ struct Slipping {
 Slipping draw_slipping(Draw& draw) {
   const Meeting m = draw_meeting(draw);
   const Mat3<Q> R = draw.rotation();
-  Slipping s{effective_inverse_mass<Q>(m.A(), m.B()), R.col(0), R.col(1), {}, -draw.positive(), draw.positive(), m.e, {}, {}};
+  Slipping s{effective_inverse_mass<Q>(m.A(), m.B()),
+             R.col(0),
+             R.col(1),
+             {},
+             -draw.positive(),
+             draw.positive(),
+             m.e,
+             {},
+             {}};
   s.v_r = s.v_n * s.n + s.v_t * s.t;
   s.mu_s = draw.positive() / Q(4);  // in [0, 2]
   s.mu_d = s.mu_s * draw.fraction();
@@ -30,8 +38,8 @@ Slipping draw_slipping(Draw& draw) {
 
 Vec3<Q> after(const Slipping& s, const Vec3<Q>& j) { return s.v_r + s.K * j; }
 
-/// Routh's process followed moment by moment: the witness of planar_impulse. It knows Coulomb's law at one moment and
-/// that velocities are linear between events; nothing about how many legs there are.
+/// Routh's process followed moment by moment: the witness of planar_impulse. It knows Coulomb's law at one
+/// moment and that velocities are linear between events; nothing about how many legs there are.
 struct Process {
   Q k_nn, k_tt, k_tn, mu_s, mu_d;
   Q v_n, v_t, p = 0, j_t = 0, work_n = 0, work_t = 0;
@@ -73,7 +81,9 @@ struct Process {
   }
 };
 
-Process process_of(const PlanarImpact<Q>& i) { return {i.k_nn, i.k_tt, i.k_tn, i.mu_s, i.mu_d, i.v_n, i.v_t}; }
+Process process_of(const PlanarImpact<Q>& i) {
+  return {i.k_nn, i.k_tt, i.k_tn, i.mu_s, i.mu_d, i.v_n, i.v_t};
+}
 
 PlanarImpact<Q> draw_planar(Draw& draw) {
   PlanarImpact<Q> i;
@@ -120,8 +130,9 @@ TEST(SheetFriction, StopsAPointMassIfTheStaticBoundAllowsItAndNeverReversesIt) {
       ++slid;
     }
   }
-  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(1)), Q(2));      // m s = μ_s j_r: it sticks
-  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(11, 10)), Q(1));  // just beyond: μ_d j_r
+  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(1)), Q(2));  // m s = μ_s j_r: it sticks
+  EXPECT_EQ(sheet_friction_impulse<Q>(Q(2), Q(1, 2), Q(1, 4), Q(4), Q(11, 10)),
+            Q(1));  // just beyond: μ_d j_r
   EXPECT_GT(stopped, 0);
   EXPECT_GT(slid, 0);
 }
@@ -161,8 +172,10 @@ TEST(CoulombFriction, ObeysNewtonsRestitutionAndTheConeInEveryOutcome) {
     EXPECT_EQ(v.dot(s.n), -s.e * s.v_n);
     EXPECT_GT(j_n, Q(0));
     EXPECT_LE(j_t.dot(j_t), s.mu_s * s.mu_s * j_n * j_n);
-    const Vec3<Q> stick = impulse_cancelling<Q>(s.K, Vec3<Q>(s.v_r + s.e * s.v_n * s.n)), stick_t = stick - stick.dot(s.n) * s.n;
-    const bool holds = stick.dot(s.n) >= Q(0) && stick_t.dot(stick_t) <= s.mu_s * s.mu_s * stick.dot(s.n) * stick.dot(s.n);
+    const Vec3<Q> stick = impulse_cancelling<Q>(s.K, Vec3<Q>(s.v_r + s.e * s.v_n * s.n)),
+                  stick_t = stick - stick.dot(s.n) * s.n;
+    const bool holds =
+        stick.dot(s.n) >= Q(0) && stick_t.dot(stick_t) <= s.mu_s * s.mu_s * stick.dot(s.n) * stick.dot(s.n);
     EXPECT_EQ(outcome == FrictionOutcome::stuck, holds);
     const bool sliding = outcome == FrictionOutcome::slid || outcome == FrictionOutcome::slip_stopped_inside;
     if (outcome == FrictionOutcome::stuck) {
@@ -177,12 +190,14 @@ TEST(CoulombFriction, ObeysNewtonsRestitutionAndTheConeInEveryOutcome) {
       EXPECT_LE(s.n.dot(Vec3<Q>(s.K * (s.n - s.mu_d * s.t))), Q(0));
     }
   }
-  for (const FrictionOutcome outcome : {FrictionOutcome::stuck, FrictionOutcome::slid, FrictionOutcome::slip_stopped_inside})
+  for (const FrictionOutcome outcome :
+       {FrictionOutcome::stuck, FrictionOutcome::slid, FrictionOutcome::slip_stopped_inside})
     EXPECT_GT(seen[outcome], 5);
 }
 
-// case FR-15: where sliding has no solution the answer says so, and only there. The slip runs into the contact with
-// k_tn = 1/2, k_nn = 2, so the bound is μ = 4; the coupling across makes the stick trial ask for |j_t|/j_n = 4.64.
+// case FR-15: where sliding has no solution the answer says so, and only there. The slip runs into the
+// contact with k_tn = 1/2, k_nn = 2, so the bound is μ = 4; the coupling across makes the stick trial ask for
+// |j_t|/j_n = 4.64.
 TEST(CoulombFriction, SaysJammedFromTheVanishingDenominatorOn) {
   Mat3<Q> K;  // axes t, n, across
   K << Q(3), Q(1, 2), Q(-1, 2), Q(1, 2), Q(2), Q(-1, 2), Q(-1, 2), Q(-1, 2), Q(3);
@@ -194,19 +209,21 @@ TEST(CoulombFriction, SaysJammedFromTheVanishingDenominatorOn) {
   EXPECT_EQ(outcome(Q(5)), FrictionOutcome::stuck);
 }
 
-// case FR-14: a cube's planar corner has its Painlevé bound at μ = 5/3. In the plane the bound is never met: with μ ≥ k_nn/k_tn
-// the stick trial's |j_t|/j_n = (k_nn v_t + k_tn a)/(k_tn v_t + k_tt a) is a mediant of k_nn/k_tn and k_tn/k_tt < k_nn/k_tn.
+// case FR-14: a cube's planar corner has its Painlevé bound at μ = 5/3. In the plane the bound is never met:
+// with μ ≥ k_nn/k_tn the stick trial's |j_t|/j_n = (k_nn v_t + k_tn a)/(k_tn v_t + k_tt a) is a mediant of
+// k_nn/k_tn and k_tn/k_tt < k_nn/k_tn.
 TEST(CoulombFriction, InThePlaneSticksBeforeItCouldJam) {
   Mat3<Q> K;
   K << Q(5, 2), Q(3, 2), Q(0), Q(3, 2), Q(5, 2), Q(0), Q(0), Q(0), Q(4);
   const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0));
   EXPECT_EQ(n.dot(Vec3<Q>(K * (n - Q(5, 3) * t))), Q(0));
   for (long v_t : {1L, 9L, 1000L, 1000000L})
-    EXPECT_EQ(coulomb_impulse<Q>(K, Vec3<Q>(Q(v_t) * t - n), n, t, Q(1), Q(5, 3), Q(5, 3)).outcome, FrictionOutcome::stuck);
+    EXPECT_EQ(coulomb_impulse<Q>(K, Vec3<Q>(Q(v_t) * t - n), n, t, Q(1), Q(5, 3), Q(5, 3)).outcome,
+              FrictionOutcome::stuck);
 }
 
-// case FR-09: without coupling j_t = −min(μ j_n, v_t/k_tt), j_n = −(1 + e)v_n/k_nn; a cube's face centre that sticks
-// keeps 3/5 of its speed: k_tt = 1 + 6/4, v_x' = v_x − v_x/k_tt = 3/5 v_x.
+// case FR-09: without coupling j_t = −min(μ j_n, v_t/k_tt), j_n = −(1 + e)v_n/k_nn; a cube's face centre that
+// sticks keeps 3/5 of its speed: k_tt = 1 + 6/4, v_x' = v_x − v_x/k_tt = 3/5 v_x.
 TEST(CoulombFriction, WithoutCouplingIsTheClampedStop) {
   Draw draw(65);
   for (int i = 0; i < 40; ++i) {
@@ -255,14 +272,22 @@ TEST(PlanarImpact, IsTheProcessFollowedMomentByMoment) {
   EXPECT_GT(seen[PlanarMode::reversed], 5);
 }
 
-// Stronge's end is a root; it is rational where v² + 2σw is a square. The end p_f is drawn, and e² follows from the works of
-// the process, e² = −W_r/W_c; where that e is rational and at most 1 the law must find p_f again.
+// Stronge's end is a root; it is rational where v² + 2σw is a square. The end p_f is drawn, and e² follows
+// from the works of the process, e² = −W_r/W_c; where that e is rational and at most 1 the law must find p_f
+// again.
 TEST(PlanarImpact, EndsByStrongesRuleWhereTheWorksSaySo) {
   Draw draw(67);
   int found = 0, two_legs = 0, stops_in_restitution = 0;
   for (int i = 0; i < 100000 && (found < 60 || stops_in_restitution < 5); ++i) {
     // small numbers, so that squares are not too rare
-    PlanarImpact<Q> impact{Q(draw.integer(1, 4)), Q(draw.integer(1, 4)), Q(0), Q(-draw.integer(1, 4)), Q(draw.integer(0, 4)), Q(0), Q(0), Q(0)};
+    PlanarImpact<Q> impact{Q(draw.integer(1, 4)),
+                           Q(draw.integer(1, 4)),
+                           Q(0),
+                           Q(-draw.integer(1, 4)),
+                           Q(draw.integer(0, 4)),
+                           Q(0),
+                           Q(0),
+                           Q(0)};
     const long smaller = impact.k_nn < impact.k_tt ? long(double(impact.k_nn)) : long(double(impact.k_tt));
     impact.k_tn = Q(draw.integer(-2 * smaller + 1, 2 * smaller - 1), 2);
     impact.mu_s = Q(draw.integer(0, 8), 4), impact.mu_d = impact.mu_s;
@@ -308,13 +333,15 @@ TEST(PlanarImpact, HasTheFractionsOfTheCubesCorner) {
   EXPECT_EQ(reversed.mode, PlanarMode::reversed);
   EXPECT_EQ(reversed.j_n, Q(64, 77));
   EXPECT_EQ(double(energy_change(reverses, reversed)), -0.0738741777702816664);
-  EXPECT_EQ(double(energy_change(reverses, planar_impulse<Q>(reverses, Restitution::newton))), 0.0465508517456569405);
+  EXPECT_EQ(double(energy_change(reverses, planar_impulse<Q>(reverses, Restitution::newton))),
+            0.0465508517456569405);
 }
 
 // case FR-10, FR-12: Stronge's ends are roots; published to 20 digits. Bound: the header's 32 u times 25/16.
 TEST(PlanarImpact, HasStrongesDigitsOfTheCubesCorner) {
   const auto in_double = [](const PlanarImpact<Q>& i) {
-    return PlanarImpact<double>{double(i.k_nn), double(i.k_tt), double(i.k_tn), double(i.v_n), double(i.v_t), double(i.e), double(i.mu_s), double(i.mu_d)};
+    return PlanarImpact<double>{double(i.k_nn), double(i.k_tt), double(i.k_tn), double(i.v_n),
+                                double(i.v_t),  double(i.e),    double(i.mu_s), double(i.mu_d)};
   };
   const double bound = 50 * 0x1p-53;
   const auto sticks = planar_impulse<double>(in_double(corner(Q(1))), Restitution::stronge);
@@ -331,9 +358,10 @@ TEST(PlanarImpact, HasStrongesDigitsOfTheCubesCorner) {
   EXPECT_NEAR(energy(2.5, -1.5, reverses), -0.0518100934824328402, 4 * bound);
 }
 
-// case FR-11: the cube's corner again, with friction added to the frictionless impulse j_r = 4/5. Taken against the slip
-// before, dE = 14/25 μ + 4/5 μ²; clamped with 1/k_tt still +19/100 from μ = 1/4 on. The sheet's rule (slip after, own
-// mass) gives +49/400 at μ = 1 and leaves the corner approaching: the report says so.
+// case FR-11: the cube's corner again, with friction added to the frictionless impulse j_r = 4/5. Taken
+// against the slip before, dE = 14/25 μ + 4/5 μ²; clamped with 1/k_tt still +19/100 from μ = 1/4 on. The
+// sheet's rule (slip after, own mass) gives +49/400 at μ = 1 and leaves the corner approaching: the report
+// says so.
 TEST(SheetFriction, AddedToTheFrictionlessImpulseCreatesEnergyAndSaysSo) {
   const PlanarImpact<Q> c = corner(Q(1));
   const Q j_r(4, 5);
@@ -343,25 +371,31 @@ TEST(SheetFriction, AddedToTheFrictionlessImpulseCreatesEnergyAndSaysSo) {
 
   const Cuboid<Q> cube = *Cuboid<Q>::make(Q(1), {Q(1), Q(1), Q(1)});
   const Vec3<Q> up(Q(0), Q(1), Q(0)), arm(Q(-1, 2), Q(-1, 2), Q(0));
-  const Contact<Q> contact{{}, {Q(1), world_inverse_inertia<Q>(identity3<Q>(), cube.inverse_inertia()), arm}, up, zero3<Q>()};
+  const Contact<Q> contact{
+      {}, {Q(1), world_inverse_inertia<Q>(identity3<Q>(), cube.inverse_inertia()), arm}, up, zero3<Q>()};
   const PairVelocity<Q> before{{}, {{Q(1, 2), Q(-1), Q(0)}, zero3<Q>()}};
-  const auto [after, report] = resolve_impact<Q>(contact, before, *Surface<Q>::make(Q(1), Q(1), Q(1)), FrictionLaw::sheet);
+  const auto [after, report] =
+      resolve_impact<Q>(contact, before, *Surface<Q>::make(Q(1), Q(1), Q(1)), FrictionLaw::sheet);
   EXPECT_EQ(report.j_W, Vec3<Q>(Q(7, 10), j_r, Q(0)));
   EXPECT_EQ(report.energy_change, Q(49, 400));
   EXPECT_TRUE(report.energy_rose);
   EXPECT_EQ(relative_velocity<Q>(contact.A, contact.B, after).dot(up), Q(-1, 20));
 }
 
-// case FR-18: a block that rocks on one corner and lands on the other, e = 0, no slip: ω'/ω = 1 − 3/2 sin²α, sin²α = b²/(b² + h²),
-// b and h half base and half height. Angular momentum about the new corner is kept: I + m(h² − b²) = (I + m(h² + b²)) ω'/ω.
+// case FR-18: a block that rocks on one corner and lands on the other, e = 0, no slip: ω'/ω = 1 − 3/2 sin²α,
+// sin²α = b²/(b² + h²), b and h half base and half height. Angular momentum about the new corner is kept: I +
+// m(h² − b²) = (I + m(h² + b²)) ω'/ω.
 TEST(CoulombFriction, TurnsARockingBlockOnItsOtherCornerByHousnersRatio) {
   const auto ratio = [](const Q& b, const Q& h) {
     const Cuboid<Q> block = *Cuboid<Q>::make(Q(3), {Q(2) * b, Q(2) * h, Q(7, 5)});
-    const Vec3<Q> up(Q(0), Q(1), Q(0)), along(Q(1), Q(0), Q(0)), old_corner(-b, -h, Q(0)), new_corner(b, -h, Q(0));
+    const Vec3<Q> up(Q(0), Q(1), Q(0)), along(Q(1), Q(0), Q(0)), old_corner(-b, -h, Q(0)),
+        new_corner(b, -h, Q(0));
     const Vec3<Q> w(Q(0), Q(0), Q(-1)), v = -cross<Q>(w, old_corner);  // the old corner is at rest
-    const ImpactBody<Q> B{block.inverse_mass(), world_inverse_inertia<Q>(identity3<Q>(), block.inverse_inertia()), new_corner};
+    const ImpactBody<Q> B{block.inverse_mass(),
+                          world_inverse_inertia<Q>(identity3<Q>(), block.inverse_inertia()), new_corner};
     const Vec3<Q> v_r = v + cross<Q>(w, new_corner);
-    const auto impact = coulomb_impulse<Q>(effective_inverse_mass<Q>(ImpactBody<Q>{}, B), v_r, up, along, Q(0), Q(1000), Q(1000));
+    const auto impact = coulomb_impulse<Q>(effective_inverse_mass<Q>(ImpactBody<Q>{}, B), v_r, up, along,
+                                           Q(0), Q(1000), Q(1000));
     EXPECT_EQ(impact.outcome, FrictionOutcome::stuck);
     const Velocity<Q> after = apply_impulse<Q>(B, {v, w}, impact.j_W);
     EXPECT_EQ(Vec3<Q>(after.v_WB + cross<Q>(after.w_WB, new_corner)), zero3<Q>());
@@ -377,8 +411,8 @@ TEST(CoulombFriction, TurnsARockingBlockOnItsOtherCornerByHousnersRatio) {
   }
 }
 
-// friction.stronge is a method in double; with e = 0 its end is the end of compression, and in the plane of a K that
-// keeps the plane that is rational. Its header promises about 1e-11.
+// friction.stronge is a method in double; with e = 0 its end is the end of compression, and in the plane of a
+// K that keeps the plane that is rational. Its header promises about 1e-11.
 // id: friction.stronge
 TEST(StrongeImpact, WithoutRestitutionIsTheEndOfCompressionOfTheProcess) {
   Draw draw(68);
@@ -391,9 +425,14 @@ TEST(StrongeImpact, WithoutRestitutionIsTheEndOfCompressionOfTheProcess) {
     Mat3<Q> K_axes = zero33<Q>();
     K_axes << impact.k_tt, impact.k_tn, Q(0), impact.k_tn, impact.k_nn, Q(0), Q(0), Q(0), draw.positive();
     const Mat3<Q> K = R * K_axes * R.transpose();
-    const Vec3<Q> n = R.col(1), t = R.col(0), v_r = impact.v_n * n + impact.v_t * t, j = process.p * n + process.j_t * t;
-    const auto rounded = [](const auto& x) { return x.unaryExpr([](const Q& q) { return double(q); }).eval(); };
-    const Vec3<double> got = stronge_impulse(rounded(K), rounded(v_r), rounded(n), 0, double(impact.mu_s), double(impact.mu_d)).j_W;
+    const Vec3<Q> n = R.col(1), t = R.col(0), v_r = impact.v_n * n + impact.v_t * t,
+                  j = process.p * n + process.j_t * t;
+    const auto rounded = [](const auto& x) {
+      return x.unaryExpr([](const Q& q) { return double(q); }).eval();
+    };
+    const Vec3<double> got =
+        stronge_impulse(rounded(K), rounded(v_r), rounded(n), 0, double(impact.mu_s), double(impact.mu_d))
+            .j_W;
     const Vec3<double> want = rounded(j);
     EXPECT_LE((got - want).norm(), 1e-11 * want.norm()) << i;
     turned += process.v_t <= Q(0);

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
+
+#include <rigor/bodies/plane.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/positional_correction.hpp>
-#include <rigor/bodies/plane.hpp>
 #include <tests/exact/draw.hpp>
 
 namespace rigor {

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/formulas/apply_pair_impulse.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/momentum.hpp>
@@ -10,8 +11,6 @@
 
 namespace rigor {
 namespace {
-
-Q determinant(const Mat3<Q>& M) { return cross<Q>(M.col(0), M.col(1)).dot(M.col(2)); }
 
 Q energy(const Meeting& m, const PairVelocity<Q>& u) {
   return kinetic_energy<Q>(m.a.mass(), m.a.inertia(), u.A.v_WB, u.A.w_WB) +
@@ -220,9 +219,12 @@ TEST(NormalImpulse, OfTheCataloguesGeneralExampleHasItsPublishedDigits) {
     s.p_WB = p, s.R_WB = rotation_of<Q>(q), s.v_WB = v, s.w_WB = w;
     return Body{*Cuboid<Q>::make(m, Vec3<Q>(half * Q(2))), s};
   };
-  const Meeting m{body(2, {1, Q(1, 2), Q(1, 4)}, Vec4<Q>(1, 2, -1, 3), {0, 0, 0}, {1, 0, Q(1, 3)}, {Q(1, 2), -1, 2}),
-                  body(3, {Q(1, 2), 1, 2}, Vec4<Q>(2, -1, 1, 1), {1, 1, 2}, {-1, Q(1, 5), -1}, {1, 1, Q(-1, 2)}),
-                  {Q(1, 2), Q(1, 3), 1}, {Q(2, 7), Q(3, 7), Q(6, 7)}, Q(3, 5)};
+  const Meeting m{
+      body(2, {1, Q(1, 2), Q(1, 4)}, Vec4<Q>(1, 2, -1, 3), {0, 0, 0}, {1, 0, Q(1, 3)}, {Q(1, 2), -1, 2}),
+      body(3, {Q(1, 2), 1, 2}, Vec4<Q>(2, -1, 1, 1), {1, 1, 2}, {-1, Q(1, 5), -1}, {1, 1, Q(-1, 2)}),
+      {Q(1, 2), Q(1, 3), 1},
+      {Q(2, 7), Q(3, 7), Q(6, 7)},
+      Q(3, 5)};
   const NormalImpact x = collide(m, normal_impulse<Q>);
   const Q dE = energy(m, x.after) - energy(m, m.before());
   EXPECT_EQ(double(x.v_n), -1.9261904761904762);
@@ -230,7 +232,8 @@ TEST(NormalImpulse, OfTheCataloguesGeneralExampleHasItsPublishedDigits) {
   EXPECT_EQ(dE, -(Q(1) - m.e * m.e) * x.v_n * x.v_n / (Q(2) * x.k_nn));
   EXPECT_EQ(double(dE), -1.2000380735844824);
   EXPECT_EQ(total_linear_momentum(m, x.after), total_linear_momentum(m, m.before()));
-  EXPECT_EQ(total_angular_momentum(m, x.after, zero3<Q>()), total_angular_momentum(m, m.before(), zero3<Q>()));
+  EXPECT_EQ(total_angular_momentum(m, x.after, zero3<Q>()),
+            total_angular_momentum(m, m.before(), zero3<Q>()));
 }
 
 }  // namespace rigor

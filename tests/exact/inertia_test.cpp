@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/formulas/cuboid_inertia.hpp>
 #include <rigor/formulas/cuboid_inverse_inertia.hpp>
 #include <rigor/formulas/world_inertia.hpp>
@@ -24,8 +25,6 @@ Mat3<Q> diagonal(const Vec3<Q>& d) {
   return D;
 }
 
-Q determinant(const Mat3<Q>& M) { return cross<Q>(M.col(0), M.col(1)).dot(M.col(2)); }
-
 }  // namespace
 
 // case I-06, with Simpson's product rule for Gauss's: both are exact for quadratics.
@@ -39,8 +38,8 @@ TEST(CuboidInertia, IsTheVolumeIntegralWithoutProductsOfInertia) {
   }
 }
 
-// case I-01: trace = m (a² + b² + c²)/6. case I-02: I₁ + I₂ − I₃ = m c²/6 and its two neighbours, hence the three
-// triangle inequalities, with equality only at zero thickness.
+// case I-01: trace = m (a² + b² + c²)/6. case I-02: I₁ + I₂ − I₃ = m c²/6 and its two neighbours, hence the
+// three triangle inequalities, with equality only at zero thickness.
 TEST(CuboidInertia, HasTheTraceAndTheTriangleExcessOfAPlateStack) {
   Draw draw(2);
   for (int i = 0; i < draws; ++i) {

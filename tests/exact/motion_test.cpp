@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/force_sum.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
@@ -93,8 +94,8 @@ TEST(EulersEquation, LeavesTheSpinOfACubeAlone) {
     const auto cube = *Cuboid<Q>::make(m, Vec3<Q>(edge, edge, edge));
     const Mat3<Q> R = draw.rotation();
     const Vec3<Q> w_dot = angular_acceleration<Q>(world_inertia<Q>(R, cube.inertia()),
-                                                  world_inverse_inertia<Q>(R, cube.inverse_inertia()), draw.vector(),
-                                                  zero3<Q>());
+                                                  world_inverse_inertia<Q>(R, cube.inverse_inertia()),
+                                                  draw.vector(), zero3<Q>());
     EXPECT_EQ(w_dot, zero3<Q>());
   }
 }
@@ -143,7 +144,8 @@ TEST(KineticEnergy, GrowsByThePowerOfTheForces) {
     Mat3<Dual> moving_I;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) moving_I(a, b) = Dual(I(a, b), I_dot(a, b));
-    const Dual T = kinetic_energy<Dual>(Dual(body.mass(), 0), moving_I, moving<3>(v, v_dot), moving<3>(w, w_dot));
+    const Dual T =
+        kinetic_energy<Dual>(Dual(body.mass(), 0), moving_I, moving<3>(v, v_dot), moving<3>(w, w_dot));
     EXPECT_EQ(T.slope, f.dot(v) + tau.dot(w));
   }
 }

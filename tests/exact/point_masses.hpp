@@ -8,14 +8,15 @@ namespace rigor {
 /// A cuboid as 27 mass points, world axes about the centre of mass: the witness that knows no inertia tensor.
 ///
 /// Weights are Simpson's rule (1, 4, 1)/6 at −s/2, 0, s/2 along each axis, which integrates polynomials up to
-/// degree 3 in each coordinate exactly; mass, centre and second moments of the homogeneous cuboid are therefore
-/// those of the points, as rationals, and any sum below is the volume integral itself.
+/// degree 3 in each coordinate exactly; mass, centre and second moments of the homogeneous cuboid are
+/// therefore those of the points, as rationals, and any sum below is the volume integral itself.
 struct PointMass {
   Rational mass;
   Vec3<Rational> p_BP_W;
 };
 
-inline std::vector<PointMass> point_masses(const Rational& m, const Vec3<Rational>& s_B, const Mat3<Rational>& R_WB) {
+inline std::vector<PointMass> point_masses(const Rational& m, const Vec3<Rational>& s_B,
+                                           const Mat3<Rational>& R_WB) {
   const Rational weight[3] = {Rational(1, 6), Rational(4, 6), Rational(1, 6)};
   std::vector<PointMass> points;
   for (int i = 0; i < 3; ++i)

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/formulas/gram_schmidt.hpp>
 #include <rigor/formulas/naive_rotation_step.hpp>
 #include <rigor/formulas/rotation_rate.hpp>
@@ -9,14 +10,14 @@
 namespace rigor {
 namespace {
 
-Q determinant(const Mat3<Q>& M) { return cross<Q>(M.col(0), M.col(1)).dot(M.col(2)); }
 Q square(const Q& x) { return x * x; }
 /// 2t/(1 − t²): 1 + b² is then the square of (1 + t²)/(1 − t²).
 Q half_angle_tangent(const Q& t) { return Q(2) * t / (Q(1) - t * t); }
 Q half_angle_secant(const Q& t) { return (Q(1) + t * t) / (Q(1) - t * t); }
 
 /// b = h ω_B such that all three norms of Gram-Schmidt on (1 + [b]ₓ) are rational. Its Gram matrix is
-/// (1 + b²)1 − b bᵀ, whose leading minors are 1 + b₂² + b₃², (1 + b²)(1 + b₃²), (1 + b²)²: three squares wanted.
+/// (1 + b²)1 − b bᵀ, whose leading minors are 1 + b₂² + b₃², (1 + b²)(1 + b₃²), (1 + b²)²: three squares
+/// wanted.
 Vec3<Q> draw_turn(Draw& draw) {
   const Q t1 = draw.number(), t2 = draw.number(), t3 = draw.number();
   const Q b3 = half_angle_tangent(t3), c3 = half_angle_secant(t3);
@@ -65,8 +66,9 @@ TEST(NaiveRotationStep, StretchesAcrossTheSpinByItsKnownDefect) {
     EXPECT_EQ(Vec3<Q>(next * w_B), w);  // along ω nothing happens
     const Vec3<Q> across_B = cross<Q>(w_B, draw.vector()), before = R * across_B, after = next * across_B;
     EXPECT_EQ(after.dot(after), (Q(1) + theta2) * across_B.dot(across_B));
-    EXPECT_EQ(cross<Q>(before, after), Vec3<Q>(w * (h * across_B.dot(across_B))));  // |b||a| sin = hω: angle atan(hω)
-    EXPECT_EQ(before.dot(after), across_B.dot(across_B));                          // |b||a| cos = 1
+    EXPECT_EQ(cross<Q>(before, after),
+              Vec3<Q>(w * (h * across_B.dot(across_B))));  // |b||a| sin = hω: angle atan(hω)
+    EXPECT_EQ(before.dot(after), across_B.dot(across_B));  // |b||a| cos = 1
   }
 }
 

@@ -1,19 +1,19 @@
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+#include <rigor/formulas/apply_pair_impulse.hpp>
 #include <rigor/formulas/cuboid_inertia.hpp>
 #include <rigor/formulas/cuboid_inverse_inertia.hpp>
-#include <rigor/formulas/normal_impulse.hpp>
 #include <rigor/formulas/normal_effective_mass.hpp>
-#include <rigor/formulas/apply_pair_impulse.hpp>
+#include <rigor/formulas/normal_impulse.hpp>
 #include <rigor/formulas/point_velocity.hpp>
 #include <rigor/formulas/semi_implicit_step.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/gamma.hpp>
-
-#include <limits>
-#include <random>
 
 // The plain formulas in double, where exactness (tests/exact) and rounding bounds (rigor verify) say nothing:
 // sizes, orders, extremes.
@@ -25,7 +25,9 @@ constexpr double u = unit_roundoff<double>();
 struct Random {
   std::mt19937_64 bits{20260414};
   double number(double low, double high) { return low + (high - low) * (double(bits() >> 11) * 0x1p-53); }
-  Vec3<double> vector(double reach) { return {number(-reach, reach), number(-reach, reach), number(-reach, reach)}; }
+  Vec3<double> vector(double reach) {
+    return {number(-reach, reach), number(-reach, reach), number(-reach, reach)};
+  }
   Mat3<double> rotation() {
     Vec4<double> q(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1));
     return rotation_of<double>(q);
@@ -46,7 +48,8 @@ std::vector<double> orders(const std::vector<double>& errors) {
 // case I-01 (T0): sizes that are powers of two and m = 12·2^k: every operation is exact.
 TEST(CuboidInertia, IsExactForPowersOfTwo) {
   EXPECT_EQ(cuboid_inertia<double>(12, {1, 2, 4}), Vec3<double>(20, 17, 5));
-  EXPECT_EQ(cuboid_inertia<double>(0.75, {0.5, 8, 0.125}), Vec3<double>(0.0625 * (64 + 0x1p-6), 0.0625 * (0.25 + 0x1p-6), 0.0625 * 64.25));
+  EXPECT_EQ(cuboid_inertia<double>(0.75, {0.5, 8, 0.125}),
+            Vec3<double>(0.0625 * (64 + 0x1p-6), 0.0625 * (0.25 + 0x1p-6), 0.0625 * 64.25));
   // The public yardstick's box, 0.1 × 0.4 × 0.9 m, 10 kg, by hand: 10/12 · (0.97, 0.82, 0.17).
   const Vec3<double> I = cuboid_inertia<double>(10, {0.1, 0.4, 0.9});
   EXPECT_NEAR(I[0], 9.7 / 12, 4 * u * 9.7 / 12);
@@ -117,7 +120,8 @@ TEST(PointVelocity, IsTheLimitOfCentralDifferencesOfOrderTwo) {
   EXPECT_GT(errors.back(), 1e3 * u / std::ldexp(1, -8));  // still truncation, not rounding
 }
 
-// case K-07: N naive steps at constant ω: the vector across ω has grown by (1 + θ²)^{N/2} and turned by N atan θ.
+// case K-07: N naive steps at constant ω: the vector across ω has grown by (1 + θ²)^{N/2} and turned by N
+// atan θ.
 TEST(NaiveRotationStep, GrowsAndTurnsAsItsClosedFormSays) {
   const Vec3<double> w(0.2, -0.3, 0.6);
   const double h = 0.125, theta = h * norm<double>(w);
@@ -137,8 +141,9 @@ TEST(NaiveRotationStep, GrowsAndTurnsAsItsClosedFormSays) {
   EXPECT_GT(std::abs(std::remainder(angle - n * theta, 2 * M_PI)), 0.1);  // and not by N θ
 }
 
-// case K-09: repaired by Gram-Schmidt, the angle lags by θ − atan θ ~ θ³/3 a step where the stretch is even (spin about a
-// body axis): order 2 though the method has order 1. About a skew axis Gram-Schmidt errs by O(θ²) a step: order 1.
+// case K-09: repaired by Gram-Schmidt, the angle lags by θ − atan θ ~ θ³/3 a step where the stretch is even
+// (spin about a body axis): order 2 though the method has order 1. About a skew axis Gram-Schmidt errs by
+// O(θ²) a step: order 1.
 TEST(SemiImplicitStep, HasOrderTwoInTheAngleAboutABodyAxisAndOrderOneOtherwise) {
   Random random;
   const Mat3<double> R = random.rotation();
@@ -176,7 +181,10 @@ TEST(NormalEffectiveMass, SurvivesMassRatiosOf1e300) {
   for (const double ratio : {1e-300, 1e-6, 1.0, 1e6, 1e300}) {
     const auto body = [](double m) {
       const Vec3<double> I = cuboid_inertia<double>(m, {1, 2, 3});
-      return ImpactBody<double>{1 / m, world_inverse_inertia<double>(identity3<double>(), cuboid_inverse_inertia<double>(I)), {0, 0, 0}};
+      return ImpactBody<double>{
+          1 / m,
+          world_inverse_inertia<double>(identity3<double>(), cuboid_inverse_inertia<double>(I)),
+          {0, 0, 0}};
     };
     const ImpactBody<double> A = body(1), B = body(ratio);
     const double k = normal_inverse_mass<double>(A, B, {0, 0, 1}), expected = 1 + 1 / ratio;
@@ -198,12 +206,14 @@ TEST(PairImpulse, ApproachesTheWallLikeTheInverseMassRatio) {
   const double e = 0.75;
   for (int k = 4; k <= 12; k += 2) {
     const double M = std::ldexp(1, k);
-    const ImpactBody<double> A{1 / M, zero33<double>(), zero3<double>()}, B{1, zero33<double>(), zero3<double>()};
+    const ImpactBody<double> A{1 / M, zero33<double>(), zero3<double>()},
+        B{1, zero33<double>(), zero3<double>()};
     const PairVelocity<double> before{{}, {{0, 0, -1}, zero3<double>()}};
     const double j = normal_impulse<double>(e, -1, normal_inverse_mass<double>(A, B, {0, 0, 1}));
     errors.push_back(e - apply_pair_impulse<double>(A, B, before, {0, 0, j}).B.v_WB[2]);
   }
-  for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]) / 2, 1, 0.05);
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]) / 2, 1, 0.05);
 }
 
 }  // namespace rigor

@@ -8,8 +8,8 @@
 #include <set>
 #include <tests/layout/text.hpp>
 
-// The verification catalogue: every case id has a test, or the reason why it has none yet, never both. Tests name the
-// ids they cover ("case FB-05"); tests/mutants names them as oracles and does not count.
+// The verification catalogue: every case id has a test, or the reason why it has none yet, never both. Tests
+// name the ids they cover ("case FB-05"); tests/mutants names them as oracles and does not count.
 // RIGOR_WRITE=1 test_layout --gtest_filter='Catalogue.*' writes docs/catalogue.md.
 namespace rigor::layout {
 namespace {
@@ -37,7 +37,8 @@ std::vector<Case> cases_in(const std::string& text) {
 std::set<std::string> ids_in(const std::string& text) {
   static const std::regex id(R"(\b(?:I|K|D|FB|F|P|FR|BB|ST|E|S)-\d\d\b)");
   std::set<std::string> found;
-  for (auto m = std::sregex_iterator(text.begin(), text.end(), id); m != std::sregex_iterator(); ++m) found.insert(m->str());
+  for (auto m = std::sregex_iterator(text.begin(), text.end(), id); m != std::sregex_iterator(); ++m)
+    found.insert(m->str());
   return found;
 }
 
@@ -58,9 +59,11 @@ std::vector<std::string> complaints(const std::vector<Case>& cases) {
   for (const Case& one : cases) {
     if (!seen.insert(one.id).second) all.push_back(one.id + ": listed twice");
     if (one.description.empty()) all.push_back(one.id + ": no description");
-    if (one.tests.empty() && one.why_none.empty()) all.push_back(one.id + ": no test names it, and tests/catalogue.tsv gives no reason");
+    if (one.tests.empty() && one.why_none.empty())
+      all.push_back(one.id + ": no test names it, and tests/catalogue.tsv gives no reason");
     if (!one.tests.empty() && !one.why_none.empty())
-      all.push_back(one.id + ": " + one.tests.front() + " names it; take its reason out of tests/catalogue.tsv");
+      all.push_back(one.id + ": " + one.tests.front() +
+                    " names it; take its reason out of tests/catalogue.tsv");
   }
   return all;
 }
@@ -68,11 +71,14 @@ std::vector<std::string> complaints(const std::vector<Case>& cases) {
 std::string page(const std::vector<Case>& cases) {
   std::string text =
       "# Verification cases and their tests\n\n"
-      "Written by `RIGOR_WRITE=1 build/release/tests/test_layout --gtest_filter='Catalogue.*'`; not edited by hand.\n"
-      "A case has a test, or the reason why it has none yet (tests/catalogue.tsv).\n\n| case | what is checked | tests |\n|---|---|---|\n";
+      "Written by `RIGOR_WRITE=1 build/release/tests/test_layout --gtest_filter='Catalogue.*'`; not edited "
+      "by hand.\n"
+      "A case has a test, or the reason why it has none yet (tests/catalogue.tsv).\n\n| case | what is "
+      "checked | tests |\n|---|---|---|\n";
   for (const Case& one : cases) {
     text += "| " + one.id + " | " + one.description + " | ";
-    for (std::size_t i = 0; i < one.tests.size(); ++i) text += (i ? ", `" : "`") + one.tests[i].substr(6) + "`";
+    for (std::size_t i = 0; i < one.tests.size(); ++i)
+      text += (i ? ", `" : "`") + one.tests[i].substr(6) + "`";
     if (one.tests.empty()) text += "none yet: " + one.why_none;
     text += " |\n";
   }
@@ -86,10 +92,13 @@ TEST(Catalogue, GivesEveryCaseATestOrAReason) {
   EXPECT_EQ(cases.size(), 128u);
   for (const std::string& line : complaints(cases)) {
     // While the layers are arriving a reason may outlive its purpose for a while.
-    if (line.find("take its reason out") != std::string::npos) std::printf("note: %s\n", line.c_str());
-    else ADD_FAILURE() << line;
+    if (line.find("take its reason out") != std::string::npos)
+      std::printf("note: %s\n", line.c_str());
+    else
+      ADD_FAILURE() << line;
   }
-  const auto tested = std::count_if(cases.begin(), cases.end(), [](const Case& one) { return !one.tests.empty(); });
+  const auto tested =
+      std::count_if(cases.begin(), cases.end(), [](const Case& one) { return !one.tests.empty(); });
   std::printf("%ld of %zu cases have a test; the others a reason\n", long(tested), cases.size());
   if (std::getenv("RIGOR_WRITE")) std::ofstream(source / "docs/catalogue.md") << page(cases);
 }
@@ -102,7 +111,8 @@ TEST(Catalogue, SeesGapsAndContradictions) {
   covered.why_none = "later";
   EXPECT_EQ(complaints({covered}).size(), 1u);
   EXPECT_EQ(complaints({excused, excused}).size(), 3u);
-  EXPECT_EQ(ids_in("// case FB-05, P-01: a test (UTF-08, AFB-05, FB-055 are none)"), (std::set<std::string>{"FB-05", "P-01"}));
+  EXPECT_EQ(ids_in("// case FB-05, P-01: a test (UTF-08, AFB-05, FB-055 are none)"),
+            (std::set<std::string>{"FB-05", "P-01"}));
   const auto read_back = cases_in("# comment\nD-02\tfall\nD-03\tspring\tnone yet\n");
   ASSERT_EQ(read_back.size(), 2u);
   EXPECT_EQ(read_back[0].why_none, "");

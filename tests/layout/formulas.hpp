@@ -13,7 +13,8 @@ struct Formula {
 
 /// Functions at namespace level (outside `namespace detail`); `text` is one header.
 inline std::vector<Formula> formulas_in(const std::string& file, const std::string& text) {
-  static const std::regex opening(R"(^template <(?:class|typename|(\w+)) \w+.*)"), inline_function(R"(^inline [^=]*\(.*)"),
+  static const std::regex opening(R"(^template <(?:class|typename|(\w+)) \w+.*)"),
+      inline_function(R"(^inline [^=]*\(.*)"),
       type(R"(^(struct|class|concept|using|inline constexpr|constexpr) .*)"), name(R"((\w+)\()"),
       id(R"(^/// id\s+(\S+)\s*$)"), no_id(R"(^/// no id\s+(\S.*)$)");
   const std::vector<std::string> lines = lines_of(text);

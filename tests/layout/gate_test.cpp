@@ -14,7 +14,8 @@ const char* const id_pattern = "[a-z][a-z0-9_]*(?:\\.[a-z0-9_]+)+";
 
 /// "## `inertia.cuboid`" of a derivation, with the parts its section has.
 std::map<std::string, std::set<std::string>> derivations_in(const std::string& text) {
-  const std::regex heading("^## `(" + std::string(id_pattern) + ")`$"), part(R"(^\*\*(Assumptions|Steps|Not claimed|Source)\b.*)");
+  const std::regex heading("^## `(" + std::string(id_pattern) + ")`$"),
+      part(R"(^\*\*(Assumptions|Steps|Not claimed|Source)\b.*)");
   std::map<std::string, std::set<std::string>> found;
   std::string id;
   for (const std::string& line : lines_of(text)) {
@@ -60,8 +61,10 @@ Tree read_tree() {
     for (const std::string& id : f.ids) ++tree.ids[id];
     if (f.ids.empty() && f.no_id.empty()) tree.without_id.push_back(f.file + ": " + f.function);
   }
-  for (const std::string& file : files_below("proofs", {".md"})) tree.derivations.merge(derivations_in(read(source / file)));
-  for (const std::string& file : files_below("tests/exact", {".cpp"})) tree.tests.merge(tags_in(read(source / file), &tree.floating));
+  for (const std::string& file : files_below("proofs", {".md"}))
+    tree.derivations.merge(derivations_in(read(source / file)));
+  for (const std::string& file : files_below("tests/exact", {".cpp"}))
+    tree.tests.merge(tags_in(read(source / file), &tree.floating));
   return tree;
 }
 
@@ -75,13 +78,15 @@ std::vector<std::string> complaints(const Tree& tree) {
     else
       for (const char* part : {"Assumptions", "Steps", "Not claimed", "Source"})
         if (!derivation->second.count(part)) all.push_back(id + ": its derivation lacks **" + part + ".**");
-    if (!tree.tests.count(id)) all.push_back(id + ": no test under a line '// id: " + id + "' in tests/exact");
+    if (!tree.tests.count(id))
+      all.push_back(id + ": no test under a line '// id: " + id + "' in tests/exact");
   }
   for (const auto& [id, parts] : tree.derivations)
     if (!tree.ids.count(id)) all.push_back(id + ": a derivation of a formula that is gone");
   for (const std::string& id : tree.tests)
     if (!tree.ids.count(id)) all.push_back(id + ": a test of a formula that is gone");
-  for (const std::string& id : tree.floating) all.push_back(id + ": its tag in tests/exact does not stand on a test");
+  for (const std::string& id : tree.floating)
+    all.push_back(id + ": its tag in tests/exact does not stand on a test");
   for (const std::string& function : tree.without_id)
     all.push_back(function + " carries no id (write `/// id  topic.name`, or `/// no id  reason`)");
   return all;
@@ -98,8 +103,8 @@ bool complains(const Tree& tree, const std::string& about) {
 TEST(Gate, EveryFormulaHasOneIdADerivationAndAnExactTest) {
   const Tree tree = read_tree();
   for (const auto& [id, count] : tree.ids)
-    std::printf("%-34s derivation %-3s  exact test %-3s\n", id.c_str(), tree.derivations.count(id) ? "yes" : "NO",
-                tree.tests.count(id) ? "yes" : "NO");
+    std::printf("%-34s derivation %-3s  exact test %-3s\n", id.c_str(),
+                tree.derivations.count(id) ? "yes" : "NO", tree.tests.count(id) ? "yes" : "NO");
   for (const Formula& f : all_formulas())
     if (!f.no_id.empty()) std::printf("%-34s no id: %s\n", f.function.c_str(), f.no_id.c_str());
   EXPECT_GE(tree.ids.size(), 26u);  // the assignment's formulas were found at all
@@ -133,16 +138,19 @@ TEST(Gate, SeesEachKindOfGap) {
   EXPECT_EQ(untagged[0].function, "law");
   EXPECT_EQ(untagged[0].scalar, "Field");
   EXPECT_TRUE(untagged[0].ids.empty());
-  const auto tagged = formulas_in("f.hpp", "/// id        a.b\n/// source    x\ntemplate <Field T>\nVec3<T> law(const T& x) {\n");
+  const auto tagged = formulas_in(
+      "f.hpp", "/// id        a.b\n/// source    x\ntemplate <Field T>\nVec3<T> law(const T& x) {\n");
   EXPECT_EQ(tagged.at(0).ids, std::vector<std::string>{"a.b"});
-  const auto excused = formulas_in("f.hpp", "/// no id  sums two others\ntemplate <Field T>\nT law(const T& x) {\n");
+  const auto excused =
+      formulas_in("f.hpp", "/// no id  sums two others\ntemplate <Field T>\nT law(const T& x) {\n");
   EXPECT_EQ(excused.at(0).no_id, "sums two others");
   EXPECT_TRUE(formulas_in("f.hpp", "template <Field T>\nstruct State {\n").empty());
   EXPECT_EQ(formulas_in("f.hpp", "/// A law.\ninline double law(double x) {\n").at(0).function, "law");
   EXPECT_TRUE(formulas_in("f.hpp", "namespace detail {\ninline double law(double x) {\n").empty());
 }
 
-// Names in code font in proofs and errata: `topic.name` is a formula, and "erratum NAME" in a header a heading there.
+// Names in code font in proofs and errata: `topic.name` is a formula, and "erratum NAME" in a header a
+// heading there.
 TEST(Gate, NamesInDerivationsAndErrataResolve) {
   const Tree tree = read_tree();
   std::set<std::string> anchors;
@@ -154,12 +162,14 @@ TEST(Gate, NamesInDerivationsAndErrataResolve) {
   }
   EXPECT_GE(anchors.size(), 20u);
 
-  const std::regex formula_name("`(" + std::string(id_pattern) + ")`"), cited(R"(errat(?:um|a) ([a-z]+-[a-z-]+|restitution)(?: and ([a-z]+-[a-z-]+))?)");
+  const std::regex formula_name("`(" + std::string(id_pattern) + ")`"),
+      cited(R"(errat(?:um|a) ([a-z]+-[a-z-]+|restitution)(?: and ([a-z]+-[a-z-]+))?)");
   std::vector<std::string> pages = files_below("proofs", {".md"});
   pages.push_back("reference/errata.md");
   for (const std::string& file : pages) {
     const std::string text = read(source / file);
-    for (auto m = std::sregex_iterator(text.begin(), text.end(), formula_name); m != std::sregex_iterator(); ++m) {
+    for (auto m = std::sregex_iterator(text.begin(), text.end(), formula_name); m != std::sregex_iterator();
+         ++m) {
       const std::string name = (*m)[1];
       const std::string ending = name.substr(name.rfind('.') + 1);
       if (ending == "md" || ending == "hpp" || ending == "cpp" || ending == "v" || ending == "txt") continue;
@@ -173,7 +183,8 @@ TEST(Gate, NamesInDerivationsAndErrataResolve) {
       for (int k : {1, 2})
         if ((*m)[k].matched) {
           ++citations;
-          EXPECT_TRUE(anchors.count((*m)[k])) << file << ": erratum " << (*m)[k] << " has no heading in reference/errata.md";
+          EXPECT_TRUE(anchors.count((*m)[k]))
+              << file << ": erratum " << (*m)[k] << " has no heading in reference/errata.md";
         }
   }
   EXPECT_GE(citations, 8);

@@ -17,16 +17,20 @@ const std::string compiler = "g++";
 #endif
 
 // src/contact/friction.hpp is <rigor/contact/friction.hpp>, reference/top.hpp is itself.
-std::string spelling(const std::string& file) { return starts(file, "src/") ? "rigor/" + file.substr(4) : file; }
+std::string spelling(const std::string& file) {
+  return starts(file, "src/") ? "rigor/" + file.substr(4) : file;
+}
 
 /// An empty string, or what the compiler said.
 std::string compile_alone(const std::string& file) {
-  const std::filesystem::path log = std::filesystem::temp_directory_path() /
+  const std::filesystem::path log =
+      std::filesystem::temp_directory_path() /
       ("rigor-header-" + std::to_string(std::hash<std::string>{}((binary / file).string())) + ".log");
-  const std::string command = "echo '#include <" + spelling(file) + ">' | " + compiler +
-                              " -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror -DEIGEN_DONT_VECTORIZE -I '" +
-                              (binary / "include").string() + "' -I '" + source.string() +
-                              "' -isystem /usr/include/eigen3 -x c++ - >'" + log.string() + "' 2>&1";
+  const std::string command =
+      "echo '#include <" + spelling(file) + ">' | " + compiler +
+      " -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Werror -DEIGEN_DONT_VECTORIZE -I '" +
+      (binary / "include").string() + "' -I '" + source.string() +
+      "' -isystem /usr/include/eigen3 -x c++ - >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   const std::string said = status == 0 ? "" : file + " does not compile alone:\n" + read(log).substr(0, 2000);
   std::filesystem::remove(log);
@@ -50,7 +54,9 @@ bool has_using_namespace(const std::string& text) {
 std::vector<std::string> our_headers() {
   std::vector<std::string> headers = files_below("src", {".hpp"});
   for (const std::string& file : files_below("reference", {".hpp"})) headers.push_back(file);
-  const auto students = [](const std::string& file) { return starts(file, "src/kit/"); };  // written as they write
+  const auto students = [](const std::string& file) {
+    return starts(file, "src/kit/");
+  };  // written as they write
   headers.erase(std::remove_if(headers.begin(), headers.end(), students), headers.end());
   return headers;
 }
@@ -71,7 +77,8 @@ TEST(Headers, CompileAlone) {
 }
 
 TEST(Headers, OpenNoNamespace) {
-  for (const std::string& file : our_headers()) EXPECT_FALSE(has_using_namespace(read(source / file))) << file;
+  for (const std::string& file : our_headers())
+    EXPECT_FALSE(has_using_namespace(read(source / file))) << file;
   EXPECT_TRUE(has_using_namespace("#pragma once\nusing namespace std;\n"));
   EXPECT_FALSE(has_using_namespace("// using namespace is for .cpp files\n"));
 }
@@ -86,16 +93,19 @@ TEST(Formulas, ForAnyScalarHaveNoDecimalLiteral) {
     EXPECT_FALSE(has_decimal_literal(read(source / file))) << file << ": write T(1) / T(2), not 0.5";
   for (const char* planted : {"return 0.5 * x;", "x = 1e-9;", "x > .5;", "return 2.*x;"})
     EXPECT_TRUE(has_decimal_literal(planted)) << planted;
-  for (const char* fine : {"a[0] * b[1];  // 0.5", "#include <rigor/linalg/types.hpp>", "x1.y2 = v_r.dot(n);", "T(12)"})
+  for (const char* fine :
+       {"a[0] * b[1];  // 0.5", "#include <rigor/linalg/types.hpp>", "x1.y2 = v_r.dot(n);", "T(12)"})
     EXPECT_FALSE(has_decimal_literal(fine)) << fine;
 }
 
-// strict_test.cpp instantiates every formula that asks for no more than a Field with the scalar that can do no more.
+// strict_test.cpp instantiates every formula that asks for no more than a Field with the scalar that can do
+// no more.
 TEST(Formulas, OnAFieldAreEachInstantiatedWithStrict) {
   const std::string strict = read(source / "tests/layout/strict_test.cpp");
   for (const Formula& f : all_formulas())
     EXPECT_TRUE(f.scalar != "Field" || strict.find(" " + f.function + "<Strict>(") != std::string::npos)
-        << f.file << ": add an explicit instantiation of " << f.function << "<Strict> to tests/layout/strict_test.cpp";
+        << f.file << ": add an explicit instantiation of " << f.function
+        << "<Strict> to tests/layout/strict_test.cpp";
 }
 
 }  // namespace rigor::layout

@@ -5,7 +5,8 @@
 #include <set>
 #include <tests/layout/text.hpp>
 
-// Which layer may include which: the list CMake wrote (rigor_layer in CMakeLists.txt) against the #include lines.
+// Which layer may include which: the list CMake wrote (rigor_layer in CMakeLists.txt) against the #include
+// lines.
 namespace rigor::layout {
 namespace {
 
@@ -54,7 +55,8 @@ TEST(Layers, IncludeOnlyWhatTheListLetsThemSee) {
   ASSERT_GE(layers.size(), 5u);
   for (const auto& [name, layer] : layers)
     for (const std::string& file : files_below(layer.directory, {".hpp", ".cpp", ".h"}))
-      for (const std::string& line : complaints(name, layer, read(source / file))) ADD_FAILURE() << file << ": " << line;
+      for (const std::string& line : complaints(name, layer, read(source / file)))
+        ADD_FAILURE() << file << ": " << line;
 }
 
 TEST(Layers, CoverEveryDirectoryOfTheSource) {
@@ -62,7 +64,8 @@ TEST(Layers, CoverEveryDirectoryOfTheSource) {
   for (const auto& [name, layer] : layers_in(read(binary / "layers.txt"))) known.insert(layer.directory);
   for (const auto& entry : std::filesystem::directory_iterator(source / "src")) {
     const std::string directory = "src/" + entry.path().filename().string();
-    EXPECT_TRUE(!entry.is_directory() || known.count(directory)) << directory << " is no layer of CMakeLists.txt";
+    EXPECT_TRUE(!entry.is_directory() || known.count(directory))
+        << directory << " is no layer of CMakeLists.txt";
   }
 }
 
@@ -71,8 +74,11 @@ TEST(Layers, CheckSeesAnIncludeAgainstTheCurrent) {
   EXPECT_EQ(complaints("formulas", layers.at("formulas"), "#include <rigor/contact/solve.hpp>\n").size(), 1u);
   EXPECT_EQ(complaints("formulas", layers.at("formulas"), "#include <tests/exact/draw.hpp>\n").size(), 1u);
   EXPECT_EQ(complaints("formulas", layers.at("formulas"), "#include <reference/top.hpp>\n").size(), 1u);
-  EXPECT_EQ(complaints("reference", layers.at("reference"), "#include \"rigor/formulas/state.hpp\"\n").size(), 1u);
-  EXPECT_TRUE(complaints("formulas", layers.at("formulas"), "#include <rigor/linalg/types.hpp>\n#include <vector>\n").empty());
+  EXPECT_EQ(complaints("reference", layers.at("reference"), "#include \"rigor/formulas/state.hpp\"\n").size(),
+            1u);
+  EXPECT_TRUE(
+      complaints("formulas", layers.at("formulas"), "#include <rigor/linalg/types.hpp>\n#include <vector>\n")
+          .empty());
 }
 
 }  // namespace rigor::layout

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/apply_impulse.hpp>
 #include <rigor/formulas/apply_pair_impulse.hpp>
@@ -22,8 +23,8 @@
 #include <rigor/formulas/world_inverse_inertia.hpp>
 #include <rigor/scalar/strict.hpp>
 
-// Strict has + − × ÷ and order and takes no floating literal: what compiles here has no hidden 0.5 and no hidden
-// root. The compiler is the test.
+// Strict has + − × ÷ and order and takes no floating literal: what compiles here has no hidden 0.5 and no
+// hidden root. The compiler is the test.
 namespace rigor {
 
 using S = Strict;
@@ -32,14 +33,16 @@ using M = Mat3<Strict>;
 
 template V angular_acceleration<Strict>(const M&, const M&, const V&, const V&);
 template Velocity<S> apply_impulse<Strict>(const ImpactBody<S>&, const Velocity<S>&, const V&);
-template PairVelocity<S> apply_pair_impulse<Strict>(const ImpactBody<S>&, const ImpactBody<S>&, const PairVelocity<S>&, const V&);
+template PairVelocity<S> apply_pair_impulse<Strict>(const ImpactBody<S>&, const ImpactBody<S>&,
+                                                    const PairVelocity<S>&, const V&);
 template V relative_velocity<Strict>(const ImpactBody<S>&, const ImpactBody<S>&, const PairVelocity<S>&);
 template V cuboid_inertia<Strict>(const S&, const V&);
 template V cuboid_inverse_inertia<Strict>(const V&);
 template M effective_inverse_mass<Strict>(const ImpactBody<S>&, const ImpactBody<S>&);
 template Wrench<S> add_force<Strict>(const Wrench<S>&, const V&, const V&);
 template V impulse_cancelling<Strict>(const M&, const V&);
-template FrictionImpact<S> coulomb_impulse<Strict>(const M&, const V&, const V&, const V&, const S&, const S&, const S&);
+template FrictionImpact<S> coulomb_impulse<Strict>(const M&, const V&, const V&, const V&, const S&, const S&,
+                                                   const S&);
 template S sheet_friction_impulse<Strict>(const S&, const S&, const S&, const S&, const S&);
 template S sheet_literal_friction_impulse<Strict>(const S&, const S&, const S&);
 template S kinetic_energy<Strict>(const S&, const M&, const V&, const V&);

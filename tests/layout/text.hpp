@@ -26,7 +26,8 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// All files below a directory with one of the endings, sorted, relative to the source tree.
-inline std::vector<std::string> files_below(const std::string& directory, const std::vector<std::string>& endings) {
+inline std::vector<std::string> files_below(const std::string& directory,
+                                            const std::vector<std::string>& endings) {
   std::vector<std::string> found;
   if (!std::filesystem::exists(source / directory)) return found;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source / directory)) {
@@ -38,6 +39,8 @@ inline std::vector<std::string> files_below(const std::string& directory, const 
   return found;
 }
 
-inline bool starts(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
+inline bool starts(const std::string& text, const std::string& with) {
+  return text.compare(0, with.size(), with) == 0;
+}
 
 }  // namespace rigor::layout

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
+
+#include <random>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/constants.hpp>
 #include <rigor/scalar/rational.hpp>
-
-#include <random>
 #include <set>
 
 namespace rigor {
@@ -12,8 +12,8 @@ namespace {
 using Q = Rational;
 constexpr double u = unit_roundoff<double>();
 
-/// exp([θ]ₓ) by its power series over the rationals, θ exactly the doubles given: shares nothing with Rodrigues.
-/// The remainder is below |θ|^80/80!: 1e-38 for |θ| = 13.
+/// exp([θ]ₓ) by its power series over the rationals, θ exactly the doubles given: shares nothing with
+/// Rodrigues. The remainder is below |θ|^80/80!: 1e-38 for |θ| = 13.
 Mat3<Q> exponential(const Vec3<double>& theta) {
   const Mat3<Q> W = skew<Q>(Vec3<Q>(Q::exactly(theta[0]), Q::exactly(theta[1]), Q::exactly(theta[2])));
   Mat3<Q> sum = identity3<Q>(), term = sum;
@@ -39,8 +39,8 @@ Vec3<double> direction(std::mt19937_64& random) {
   return a / norm<double>(a);
 }
 
-/// The 24 rotations that map the cube to itself, as integer quaternions: 1, quarter and half turns about the axes,
-/// half turns about the edges' middles, third turns about the diagonals. One of q and −q each.
+/// The 24 rotations that map the cube to itself, as integer quaternions: 1, quarter and half turns about the
+/// axes, half turns about the edges' middles, third turns about the diagonals. One of q and −q each.
 std::vector<Vec4<double>> cube_group() {
   std::vector<Vec4<double>> all;
   for (int w = 0; w <= 1; ++w)
@@ -57,8 +57,9 @@ std::vector<Vec4<double>> cube_group() {
 
 }  // namespace
 
-// case K-01. Angle |θ| computed with relative error below 3u, hence 3u|θ| in the angle, and a few u in the entries:
-// (8 + 4|θ|) u. A column's square sees |θ| in sin|θ|/|θ| · θ (2·3u), its entries' roundings (2·3u) and the dot's (3u): 16u.
+// case K-01. Angle |θ| computed with relative error below 3u, hence 3u|θ| in the angle, and a few u in the
+// entries: (8 + 4|θ|) u. A column's square sees |θ| in sin|θ|/|θ| · θ (2·3u), its entries' roundings (2·3u)
+// and the dot's (3u): 16u.
 TEST(ExpSo3, IsTheExponentialSeriesAndARotation) {
   std::mt19937_64 random(1);
   double worst = 0, worst_defect = 0;
@@ -78,8 +79,8 @@ TEST(ExpSo3, IsTheExponentialSeriesAndARotation) {
 // case K-02: both sides of the branch at |θ|² = 2^-10, and down to the smallest double.
 TEST(ExpSo3, AgreesWithTheSeriesOnBothSidesOfItsBranch) {
   const Vec3<double> axis(2.0 / 7, 3.0 / 7, 6.0 / 7);
-  for (const double angle : {0x1p-5 * (1 - 1e-15), 0x1p-5, 0x1p-5 * (1 + 1e-15), 0x1p-5 * 1.01, 0x1p-5 * 0.99, 0x1p-10, 0x1p-20,
-                             0x1p-27, 0x1p-40, 0x1p-500, 0x1p-1074, 0.0, 1.0})
+  for (const double angle : {0x1p-5 * (1 - 1e-15), 0x1p-5, 0x1p-5 * (1 + 1e-15), 0x1p-5 * 1.01, 0x1p-5 * 0.99,
+                             0x1p-10, 0x1p-20, 0x1p-27, 0x1p-40, 0x1p-500, 0x1p-1074, 0.0, 1.0})
     EXPECT_LE(largest_difference(exp_so3<double>(angle * axis), exponential(angle * axis)), 4 * u) << angle;
   // The small entries are right relatively: sin θ keeps its digits where 1 − cos θ vanishes.
   EXPECT_EQ(exp_so3<double>(Vec3<double>(0, 0, 0x1p-500))(1, 0), 0x1p-500);
@@ -109,7 +110,8 @@ TEST(QuaternionOf, PassesTheHalfTurnWithoutLosingDigits) {
   EXPECT_GT(worst, 0.05);
 }
 
-// case K-04: over integer quaternions the 24 rotations of the cube are exact in double, form a group, and come back.
+// case K-04: over integer quaternions the 24 rotations of the cube are exact in double, form a group, and
+// come back.
 TEST(RotationOf, GivesTheCubeGroupExactly) {
   const std::vector<Vec4<double>> group = cube_group();
   ASSERT_EQ(group.size(), 24u);
@@ -160,7 +162,8 @@ TEST(RotationOf, IsTheSameForTheOppositeQuaternion) {
 TEST(AngleBetween, KeepsItsDigitsForSmallAngles) {
   std::mt19937_64 random(6);
   for (const double angle : {1e-12, 1e-6, 1e-3, 0.5, 3.0}) {
-    const Mat3<double> R = exp_so3<double>(direction(random)), S = R * exp_so3<double>(angle * direction(random));
+    const Mat3<double> R = exp_so3<double>(direction(random)),
+                       S = R * exp_so3<double>(angle * direction(random));
     EXPECT_NEAR((angle_between<double>(R, S)), angle, 16 * u / std::cos(angle / 2));
   }
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <rigor/contact/plane_response.hpp>
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/momentum.hpp>
@@ -6,15 +7,17 @@
 #include <tests/exact/draw.hpp>
 #include <tests/mutants/matrix.hpp>
 
-// The second block of section 5: mistakes that the conservation laws alone cannot see, each with the closed form that
-// kills it. Every mistake is planted in a copy of the few lines concerned; the oracles do not know which variant ran.
+// The second block of section 5: mistakes that the conservation laws alone cannot see, each with the closed
+// form that kills it. Every mistake is planted in a copy of the few lines concerned; the oracles do not know
+// which variant ran.
 namespace rigor {
 namespace {
 
 const std::vector<std::string> oracles = {"P", "L", "energy", "v' = -e v", "symmetry", "closed form"};
 using Rows = std::vector<std::pair<std::string, Verdict>>;
 
-// ---- a block that strikes the ground with a slip --------------------------------------------------------------
+// ---- a block that strikes the ground with a slip
+// --------------------------------------------------------------
 
 struct Strike {
   Body body;
@@ -36,8 +39,8 @@ Strike straight_strike(Draw& draw, const Q& v_t) {
   return s;
 }
 
-/// The oracles of a strike: momentum of the body follows the impulse; energy does not rise; Newton's law; the world
-/// mirrored in the plane of n and t; the closed form.
+/// The oracles of a strike: momentum of the body follows the impulse; energy does not rise; Newton's law; the
+/// world mirrored in the plane of n and t; the closed form.
 Verdict judge(const Strike& s, const std::function<Vec3<Q>(const Strike&)>& impulse) {
   const Contact<Q> c = s.contact();
   const Vec3<Q> j = impulse(s);
@@ -47,7 +50,8 @@ Verdict judge(const Strike& s, const std::function<Vec3<Q>(const Strike&)>& impu
   const Q j_n = -(Q(1) + s.e) * v_before.dot(s.n) / s.n.dot(Vec3<Q>(K * s.n));
   const Q stop = v_before.dot(s.t) / s.t.dot(Vec3<Q>(K * s.t));
   const Q friction = stop <= s.mu_s * j_n ? stop : s.mu_d * j_n;
-  const Vec3<Q> dP = s.body.mass() * (after.B.v_WB - s.body.state.v_WB), dL = s.body.inertia() * (after.B.w_WB - s.body.state.w_WB);
+  const Vec3<Q> dP = s.body.mass() * (after.B.v_WB - s.body.state.v_WB),
+                dL = s.body.inertia() * (after.B.w_WB - s.body.state.w_WB);
   const Vec3<Q> across = cross<Q>(s.n, s.t);
   return {{"P", dP != j},
           {"L", dL != cross<Q>(c.B.p_BC_W, j)},
@@ -58,7 +62,9 @@ Verdict judge(const Strike& s, const std::function<Vec3<Q>(const Strike&)>& impu
 }
 
 Vec3<Q> coulomb(const Strike& s) {
-  return coulomb_impulse<Q>(effective_inverse_mass<Q>(s.contact().A, s.contact().B), s.v_r(), s.n, s.t, s.e, s.mu_s, s.mu_d).j_W;
+  return coulomb_impulse<Q>(effective_inverse_mass<Q>(s.contact().A, s.contact().B), s.v_r(), s.n, s.t, s.e,
+                            s.mu_s, s.mu_d)
+      .j_W;
 }
 
 void strikes(Rows& rows) {
@@ -71,8 +77,10 @@ void strikes(Rows& rows) {
     };
     add(right, coulomb);
     add(none, [](Strike x) { return x.mu_s = x.mu_d = 0, coulomb(x); });
-    add(swapped, [](Strike x) { return std::swap(x.mu_s, x.mu_d), coulomb(x); });  // case FR-05, at one impact
-    add(flipped, [](const Strike& x) {  // n into the ground: the contact seems to separate, nothing is done (case P-13)
+    add(swapped,
+        [](Strike x) { return std::swap(x.mu_s, x.mu_d), coulomb(x); });  // case FR-05, at one impact
+    add(flipped, [](const Strike&
+                        x) {  // n into the ground: the contact seems to separate, nothing is done (case P-13)
       const Surface<Q> surface = *Surface<Q>::make(x.e, x.mu_s, x.mu_d);
       Contact<Q> c = x.contact();
       c.n_AB_W = -c.n_AB_W;
@@ -85,12 +93,15 @@ void strikes(Rows& rows) {
   rows.push_back({"normal flipped", flipped});
 }
 
-// ---- flat landing on four corners -----------------------------------------------------------------------------
+// ---- flat landing on four corners
+// -----------------------------------------------------------------------------
 
 struct Landing {
   Cuboid<Q> box;
   Q e;
-  std::array<Vec3<Q>, 4> arms() const { return {box.corner(0), box.corner(1), box.corner(5), box.corner(4)}; }  // around the face
+  std::array<Vec3<Q>, 4> arms() const {
+    return {box.corner(0), box.corner(1), box.corner(5), box.corner(4)};
+  }  // around the face
   ImpactBody<Q> at(const Vec3<Q>& arm) const {
     return {box.inverse_mass(), world_inverse_inertia<Q>(identity3<Q>(), box.inverse_inertia()), arm};
   }
@@ -140,16 +151,19 @@ Verdict judge(const Landing& l, Impulses (*solve)(const Landing&)) {
     law_broken = law_broken || point_velocity<Q>(u.v_WB, u.w_WB, arm).dot(up) != l.e;
   }
   const Mat3<Q> I = world_inertia<Q>(identity3<Q>(), l.box.inertia());
-  const auto energy = [&](const Velocity<Q>& x) { return kinetic_energy<Q>(l.box.mass(), I, x.v_WB, x.w_WB); };
+  const auto energy = [&](const Velocity<Q>& x) {
+    return kinetic_energy<Q>(l.box.mass(), I, x.v_WB, x.w_WB);
+  };
   return {{"P", l.box.mass() * (u.v_WB - falling.v_WB) != sum},
           {"L", Vec3<Q>(I * u.w_WB) != moment},
           {"energy", l.e == Q(1) ? energy(u) != energy(falling) : energy(u) > energy(falling)},
           {"v' = -e v", law_broken},
-          {"symmetry", u.w_WB != zero3<Q>()},  // the landing is its own mirror image twice over
+          {"symmetry", u.w_WB != zero3<Q>()},             // the landing is its own mirror image twice over
           {"closed form", u.v_WB != Vec3<Q>(up * l.e)}};  // case P-10
 }
 
-// ---- a free body ----------------------------------------------------------------------------------------------
+// ---- a free body
+// ----------------------------------------------------------------------------------------------
 
 /// The box of case FB-05: spin (0.1, 5, 0.1), R = 1.
 struct Flight {
@@ -161,7 +175,9 @@ const Cuboid<double> fb05 = *Cuboid<double>::make(10, {0.1, 0.4, 0.9});
 /// A method in double: the rate of (q, w_B).
 using Rate = Flight (*)(const Flight&);
 
-Flight along(const Flight& x, double h, const Flight& rate) { return {x.q + h * rate.q, x.w_B + h * rate.w_B}; }
+Flight along(const Flight& x, double h, const Flight& rate) {
+  return {x.q + h * rate.q, x.w_B + h * rate.w_B};
+}
 
 Vec4<double> product(const Vec4<double>& a, const Vec4<double>& b) {
   const Vec3<double> u = a.tail<3>(), v = b.tail<3>(), w = a[0] * v + b[0] * u + cross<double>(u, v);
@@ -171,7 +187,8 @@ Vec4<double> product(const Vec4<double>& a, const Vec4<double>& b) {
 Flight euler(const Flight& x) {  // q' = q (0, w_B)/2, Euler's equation in body axes
   const Mat3<double> I = world_inertia<double>(identity3<double>(), fb05.inertia());
   const Mat3<double> inverse = world_inertia<double>(identity3<double>(), fb05.inverse_inertia());
-  return {product(x.q, Vec4<double>(0, x.w_B[0], x.w_B[1], x.w_B[2])) / 2, angular_acceleration<double>(I, inverse, x.w_B, zero3<double>())};
+  return {product(x.q, Vec4<double>(0, x.w_B[0], x.w_B[1], x.w_B[2])) / 2,
+          angular_acceleration<double>(I, inverse, x.w_B, zero3<double>())};
 }
 /// Without the gyroscopic term, in world axes: ω̇ = I⁻¹τ = 0 there, and so is ω_B's rate (R turns about ω).
 Flight no_gyroscopic_term(const Flight& x) { return {euler(x).q, zero3<double>()}; }
@@ -183,7 +200,8 @@ Flight passive(const Flight& x) {
 Flight fly(Rate rate, double h) {  // RK4 to t = 10
   Flight x;
   for (int i = 0, n = int(10 / h + 0.5); i < n; ++i) {
-    const Flight k1 = rate(x), k2 = rate(along(x, h / 2, k1)), k3 = rate(along(x, h / 2, k2)), k4 = rate(along(x, h, k3));
+    const Flight k1 = rate(x), k2 = rate(along(x, h / 2, k1)), k3 = rate(along(x, h / 2, k2)),
+                 k4 = rate(along(x, h, k3));
     x = along(along(along(along(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
   }
   return x;
@@ -191,21 +209,29 @@ Flight fly(Rate rate, double h) {  // RK4 to t = 10
 
 Verdict judge(Rate rate) {
   const Flight end = fly(rate, 0.002), coarse = fly(rate, 0.004), start;
-  // Richardson for order 4, doubled; the rounding floor of the flow near its separatrix, measured at h = 0.0005: 3e-10.
+  // Richardson for order 4, doubled; the rounding floor of the flow near its separatrix, measured at h =
+  // 0.0005: 3e-10.
   const double error = 2 * ((end.q - coarse.q).norm() + (end.w_B - coarse.w_B).norm()) / 15 + 1e-9;
-  const auto L = [](const Flight& x) { return Vec3<double>(rotation_of<double>(x.q) * fb05.inertia().cwiseProduct(x.w_B)); };
+  const auto L = [](const Flight& x) {
+    return Vec3<double>(rotation_of<double>(x.q) * fb05.inertia().cwiseProduct(x.w_B));
+  };
   const auto E = [](const Flight& x) { return x.w_B.dot(fb05.inertia().cwiseProduct(x.w_B)) / 2; };
   // Turned about the body's second axis by half a turn, the same start is the same motion: diag(−1, 1, −1).
   Flight turned = start;
   turned.w_B = {-0.1, 5, -0.1};
   const Flight step = rate(start), turned_step = rate(turned);
-  const bool asymmetric = (turned_step.w_B - Vec3<double>(-step.w_B[0], step.w_B[1], -step.w_B[2])).norm() > 1e-12;
-  const Vec3<double> w_end(2.75584040514684940571769, -3.735963519216219904337773, -3.161809003467518335258115);
-  const Vec4<double> q_end(0.2251645634139581639295619, -0.6199275624994524882782236, -0.2770291506871945918101767, 0.6987457236403101407177716);
-  return {{"L", (L(end) - L(start)).norm() > 10 * error},
-          {"energy", std::abs(E(end) - E(start)) > 10 * error},
-          {"symmetry", asymmetric},
-          {"closed form", (end.w_B - w_end).norm() + std::min((end.q - q_end).norm(), (end.q + q_end).norm()) > error}};  // case FB-05
+  const bool asymmetric =
+      (turned_step.w_B - Vec3<double>(-step.w_B[0], step.w_B[1], -step.w_B[2])).norm() > 1e-12;
+  const Vec3<double> w_end(2.75584040514684940571769, -3.735963519216219904337773,
+                           -3.161809003467518335258115);
+  const Vec4<double> q_end(0.2251645634139581639295619, -0.6199275624994524882782236,
+                           -0.2770291506871945918101767, 0.6987457236403101407177716);
+  return {
+      {"L", (L(end) - L(start)).norm() > 10 * error},
+      {"energy", std::abs(E(end) - E(start)) > 10 * error},
+      {"symmetry", asymmetric},
+      {"closed form", (end.w_B - w_end).norm() + std::min((end.q - q_end).norm(), (end.q + q_end).norm()) >
+                          error}};  // case FB-05
 }
 
 /// Spin about a principal axis, R stepped with and without repair; ω is constant, so only R can be wrong.
@@ -216,13 +242,17 @@ Verdict judge_rotation(bool repaired) {
   const Mat3<double> R = s.R_WB;
   const double h = 1.0 / 64;
   for (int i = 0; i < 640; ++i) {
-    if (repaired) s = semi_implicit_step<double>(h, s, zero3<double>(), zero3<double>());
-    else s.R_WB = naive_rotation_step<double>(h, s.w_WB, s.R_WB);
+    if (repaired)
+      s = semi_implicit_step<double>(h, s, zero3<double>(), zero3<double>());
+    else
+      s.R_WB = naive_rotation_step<double>(h, s.w_WB, s.R_WB);
   }
-  const Vec3<double> L0 = world_inertia<double>(R, fb05.inertia()) * s.w_WB, L = world_inertia<double>(s.R_WB, fb05.inertia()) * s.w_WB;
+  const Vec3<double> L0 = world_inertia<double>(R, fb05.inertia()) * s.w_WB,
+                     L = world_inertia<double>(s.R_WB, fb05.inertia()) * s.w_WB;
   return {{"L", (L - L0).norm() > 1e-10},
           {"energy", std::abs(s.w_WB.dot(L - L0)) > 1e-10},
-          {"closed form", orthonormality_defect<double>(s.R_WB) > 1e-12}};  // case K-01; K-07 has the size, 1.17 here
+          {"closed form",
+           orthonormality_defect<double>(s.R_WB) > 1e-12}};  // case K-01; K-07 has the size, 1.17 here
 }
 
 /// Free fall with the new or with the old velocity: equal errors of opposite sign.
@@ -242,9 +272,9 @@ Verdict judge_fall(bool with_new_velocity) {
           {"closed form", p != g * t * t / Q(2) + lead}};  // case D-02
 }
 
-/// A point mass dropped from height 1 on the ground, e = 3/4: handled at its time, or at the end of the step in which it
-/// goes through. The oracle is the apex after the bounce, e² (case P-01), at three step sizes: located impacts leave
-/// the rounding, handled late they err by order h (case P-04).
+/// A point mass dropped from height 1 on the ground, e = 3/4: handled at its time, or at the end of the step
+/// in which it goes through. The oracle is the apex after the bounce, e² (case P-01), at three step sizes:
+/// located impacts leave the rounding, handled late they err by order h (case P-04).
 Verdict judge_bounce(bool located) {
   const double g = 9.81, e = 0.75;
   int wrong = 0, energy_rose = 0;
@@ -270,10 +300,13 @@ Verdict judge_bounce(bool located) {
 
 /// Quaternions read as (x, y, z, w): rotations all the same, but not the ones meant.
 Verdict judge_quaternion(bool w_first) {
-  const auto read = [&](const Vec4<Q>& q) { return rotation_of<Q>(w_first ? q : Vec4<Q>(q[3], q[0], q[1], q[2])); };
+  const auto read = [&](const Vec4<Q>& q) {
+    return rotation_of<Q>(w_first ? q : Vec4<Q>(q[3], q[0], q[1], q[2]));
+  };
   int wrong = 0, no_rotation = 0;
   const Vec3<Q> x(Q(1), Q(0), Q(0)), y(Q(0), Q(1), Q(0)), z(Q(0), Q(0), Q(1));
-  wrong += Vec3<Q>(read({Q(1), Q(0), Q(0), Q(1)}) * x) != y;  // a quarter turn about z takes x to y: case K-04
+  wrong +=
+      Vec3<Q>(read({Q(1), Q(0), Q(0), Q(1)}) * x) != y;  // a quarter turn about z takes x to y: case K-04
   wrong += Vec3<Q>(read({Q(1), Q(1), Q(1), Q(1)}) * y) != z;  // a third turn about the diagonal: x → y → z
   wrong += Vec3<Q>(read({Q(1), Q(0), Q(0), Q(0)}) * y) != y;  // no turn
   no_rotation += orthonormality_defect<Q>(read({Q(1), Q(2), Q(-1), Q(3)})) != Q(0);
@@ -286,7 +319,8 @@ TEST(CatalogueMutants, AreEachKilledByTheirClosedForm) {
   Rows rows;
   strikes(rows);
 
-  const Landing post{*Cuboid<Q>::make(Q(1), {Q(1), Q(3), Q(1, 2)}), Q(1)}, cube{*Cuboid<Q>::make(Q(1), {Q(1), Q(1), Q(1)}), Q(1)};
+  const Landing post{*Cuboid<Q>::make(Q(1), {Q(1), Q(3), Q(1, 2)}), Q(1)},
+      cube{*Cuboid<Q>::make(Q(1), {Q(1), Q(1), Q(1)}), Q(1)};
   rows.push_back({"landing: none", judge(post, together)});
   rows.push_back({"landing: none (cube)", judge(cube, together)});
   rows.push_back({"one pass over four corners, e = 1", judge(cube, one_pass)});
@@ -314,7 +348,8 @@ TEST(CatalogueMutants, AreEachKilledByTheirClosedForm) {
   }
   // What the catalogue says of the others' blindness, where it says so without a reserve.
   for (const char* name : {"friction never applied", "mu_s and mu_d swapped"})
-    for (const char* oracle : {"P", "L", "energy", "v' = -e v"}) EXPECT_EQ(by_name.at(name).at(oracle), 0) << name << " by " << oracle;
+    for (const char* oracle : {"P", "L", "energy", "v' = -e v"})
+      EXPECT_EQ(by_name.at(name).at(oracle), 0) << name << " by " << oracle;
   EXPECT_EQ(by_name.at("one pass over four corners, e = 1").at("energy"), 0);  // exactly: case P-11
   EXPECT_GT(by_name.at("one pass over four corners, e = 1").at("symmetry"), 0);
   EXPECT_GT(by_name.at("the full impulse at each of four corners").at("energy"), 0);
@@ -328,14 +363,14 @@ TEST(CatalogueMutants, AreEachKilledByTheirClosedForm) {
 TEST(CatalogueMutants, OnePassOverACubesCornersHasThePublishedFractions) {
   Landing cube{*Cuboid<Q>::make(Q(1), {Q(1), Q(1), Q(1)}), Q(0)};
   const Velocity<Q> soft = after(cube, one_pass(cube));
-  EXPECT_EQ(soft.v_WB[1], Q(-9, 256));                      // −0.03515625
-  EXPECT_EQ(abs(soft.w_WB[0]), Q(69, 256));                 // 0.26953125
-  EXPECT_EQ(abs(soft.w_WB[2]), Q(51, 256));                 // 0.19921875
+  EXPECT_EQ(soft.v_WB[1], Q(-9, 256));       // −0.03515625
+  EXPECT_EQ(abs(soft.w_WB[0]), Q(69, 256));  // 0.26953125
+  EXPECT_EQ(abs(soft.w_WB[2]), Q(51, 256));  // 0.19921875
   cube.e = 1;
   const Velocity<Q> hard = after(cube, one_pass(cube));
-  EXPECT_EQ(hard.v_WB[1], Q(11, 16));                       // 0.6875
-  EXPECT_EQ(abs(hard.w_WB[0]), Q(9, 16));                   // 0.5625
-  EXPECT_EQ(abs(hard.w_WB[2]), Q(27, 16));                  // 1.6875
+  EXPECT_EQ(hard.v_WB[1], Q(11, 16));       // 0.6875
+  EXPECT_EQ(abs(hard.w_WB[0]), Q(9, 16));   // 0.5625
+  EXPECT_EQ(abs(hard.w_WB[2]), Q(27, 16));  // 1.6875
 }
 
 }  // namespace rigor

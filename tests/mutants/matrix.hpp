@@ -21,7 +21,9 @@ inline void print_matrix(const char* title, const std::vector<std::string>& orac
     std::printf("\n%-58s", name.c_str());
     for (const std::string& oracle : oracles) {
       const auto found = verdict.find(oracle);
-      std::printf("  %12s", found == verdict.end() ? "-" : found->second == 0 ? "." : std::to_string(found->second).c_str());
+      std::printf("  %12s", found == verdict.end() ? "-"
+                            : found->second == 0   ? "."
+                                                   : std::to_string(found->second).c_str());
     }
   }
   std::printf("\n\n");

@@ -1,12 +1,12 @@
-#include <tests/property/generators.hpp>
-
 #include <cstdlib>
 #include <rigor/contact/impact.hpp>
+#include <tests/property/generators.hpp>
 
 namespace rigor {
 namespace {
 
-constexpr FrictionLaw laws[] = {FrictionLaw::sheet, FrictionLaw::sheet_literal, FrictionLaw::coulomb, FrictionLaw::stronge};
+constexpr FrictionLaw laws[] = {FrictionLaw::sheet, FrictionLaw::sheet_literal, FrictionLaw::coulomb,
+                                FrictionLaw::stronge};
 
 struct Strike {
   Contact<double> contact;
@@ -23,19 +23,27 @@ Strike strike_of(const Numbers& numbers, int static_64ths, int dynamic_percent) 
   Meeting<double> m = numbers.meeting<double>();
   if (dot<double>(relative_velocity<double>(m.A(), m.B(), m.before()), m.n_AB_W) > 0) m.n_AB_W = -m.n_AB_W;
   const double mu_s = static_64ths / 64.0;
-  return {{m.A(), m.B(), m.n_AB_W, zero3<double>()}, m.before(), *Surface<double>::make(m.e, mu_s, mu_s * dynamic_percent / 100),
-          m.a.m, m.b.m, m.a.inertia(), m.b.inertia(), effective_inverse_mass<double>(m.A(), m.B())};
+  return {{m.A(), m.B(), m.n_AB_W, zero3<double>()},
+          m.before(),
+          *Surface<double>::make(m.e, mu_s, mu_s * dynamic_percent / 100),
+          m.a.m,
+          m.b.m,
+          m.a.inertia(),
+          m.b.inertia(),
+          effective_inverse_mass<double>(m.A(), m.B())};
 }
 
 double condition(const Mat3<double>& K) {  // ‖K‖₁ ‖K⁻¹‖₁, the inverse column by column
   Mat3<double> inverse;
-  for (int k = 0; k < 3; ++k) inverse.col(k) = impulse_cancelling<double>(K, -Vec3<double>(Vec3<double>::Unit(k)));
+  for (int k = 0; k < 3; ++k)
+    inverse.col(k) = impulse_cancelling<double>(K, -Vec3<double>(Vec3<double>::Unit(k)));
   return K.cwiseAbs().colwise().sum().maxCoeff() * inverse.cwiseAbs().colwise().sum().maxCoeff();
 }
 
 /// What rounding may leave of a velocity that K j must cancel: 40 u κ(K) |j| is the header's bound of j.
 double velocity_bound(const Strike& s, const Vec3<double>& j) {
-  return 64 * unit_roundoff<double>() * (condition(s.K) * s.K.norm() * norm<double>(j) + norm<double>(s.v_r()));
+  return 64 * unit_roundoff<double>() *
+         (condition(s.K) * s.K.norm() * norm<double>(j) + norm<double>(s.v_r()));
 }
 
 Strike any_strike(const Numbers& numbers) {
@@ -51,23 +59,28 @@ RC_GTEST_PROP(Friction, KeepsTheMomentaUnderEveryLaw, (const Numbers& numbers)) 
     const auto [after, report] = resolve_impact<double>(s.contact, s.before, s.surface, law);
     const Vec3<double> j = report.j_W;
     const double j_size = norm<double>(j), u = unit_roundoff<double>();
-    const Vec3<double> P_A = s.m_A * (after.A.v_WB - s.before.A.v_WB), P_B = s.m_B * (after.B.v_WB - s.before.B.v_WB);
-    const double P_size = j_size + s.m_A * norm<double>(s.before.A.v_WB) + s.m_B * norm<double>(s.before.B.v_WB);
+    const Vec3<double> P_A = s.m_A * (after.A.v_WB - s.before.A.v_WB),
+                       P_B = s.m_B * (after.B.v_WB - s.before.B.v_WB);
+    const double P_size =
+        j_size + s.m_A * norm<double>(s.before.A.v_WB) + s.m_B * norm<double>(s.before.B.v_WB);
     RC_ASSERT(norm<double>(P_A + j) <= 8 * u * P_size);
     RC_ASSERT(norm<double>(P_B - j) <= 8 * u * P_size);
   }
 }
 
 // id: friction.coulomb, friction.stronge
-// The cone: |j_t| ≤ μ_s j_n, whatever the law but the sheet's (whose j_n its own friction changes only across).
+// The cone: |j_t| ≤ μ_s j_n, whatever the law but the sheet's (whose j_n its own friction changes only
+// across).
 RC_GTEST_PROP(Friction, StaysInTheConeAndPushes, (const Numbers& numbers)) {
   const Strike s = any_strike(numbers);
   for (const FrictionLaw law : laws) {
-    const Vec3<double> j = resolve_impact<double>(s.contact, s.before, s.surface, law).report.j_W, n = s.contact.n_AB_W;
+    const Vec3<double> j = resolve_impact<double>(s.contact, s.before, s.surface, law).report.j_W,
+                       n = s.contact.n_AB_W;
     const double j_n = dot<double>(j, n);
     RC_ASSERT(j_n >= 0);
     const Vec3<double> j_t = j - j_n * n;
-    RC_ASSERT(norm<double>(j_t) <= s.surface.static_friction() * j_n + 1e-11 * norm<double>(j));  // stronge: 1e-11
+    RC_ASSERT(norm<double>(j_t) <=
+              s.surface.static_friction() * j_n + 1e-11 * norm<double>(j));  // stronge: 1e-11
   }
 }
 
@@ -94,8 +107,9 @@ RC_GTEST_PROP(Stronge, NeverAddsEnergy, (const Numbers& numbers)) {
   RC_ASSERT(!report.energy_rose);
 }
 
-// case BB-03: with the bodies swapped and n turned round the impulse is the opposite, to the bit where no branch of the
-// process depends on signs (stronge picks axes along the slip, which turn round with it: to its accuracy).
+// case BB-03: with the bodies swapped and n turned round the impulse is the opposite, to the bit where no
+// branch of the process depends on signs (stronge picks axes along the slip, which turn round with it: to its
+// accuracy).
 RC_GTEST_PROP(Friction, DoesNotCareWhichBodyIsCalledA, (const Numbers& numbers)) {
   const Strike s = any_strike(numbers);
   Strike swapped = s;
@@ -104,7 +118,8 @@ RC_GTEST_PROP(Friction, DoesNotCareWhichBodyIsCalledA, (const Numbers& numbers))
   swapped.contact.n_AB_W = -s.contact.n_AB_W;
   for (const FrictionLaw law : laws) {
     const Vec3<double> j = resolve_impact<double>(s.contact, s.before, s.surface, law).report.j_W;
-    const Vec3<double> opposite = resolve_impact<double>(swapped.contact, swapped.before, s.surface, law).report.j_W;
+    const Vec3<double> opposite =
+        resolve_impact<double>(swapped.contact, swapped.before, s.surface, law).report.j_W;
     if (law == FrictionLaw::stronge) {
       RC_ASSERT(norm<double>(j + opposite) <= 1e-9 * norm<double>(j));
     } else {
@@ -118,7 +133,8 @@ RC_GTEST_PROP(Friction, TurnsWithTheWorldUnderEveryLaw, (const Numbers& numbers)
   const Strike s = any_strike(numbers);
   const Mat3<double> Q = exp_so3<double>(Vec3<double>(0.3, -1.1, 0.7));
   Strike turned = s;
-  for (auto [side, velocity] : {std::pair(&turned.contact.A, &turned.before.A), std::pair(&turned.contact.B, &turned.before.B)}) {
+  for (auto [side, velocity] :
+       {std::pair(&turned.contact.A, &turned.before.A), std::pair(&turned.contact.B, &turned.before.B)}) {
     side->inverse_I_B_W = Q * side->inverse_I_B_W * Q.transpose();
     side->p_BC_W = Q * side->p_BC_W;
     velocity->v_WB = Q * velocity->v_WB, velocity->w_WB = Q * velocity->w_WB;
@@ -127,18 +143,23 @@ RC_GTEST_PROP(Friction, TurnsWithTheWorldUnderEveryLaw, (const Numbers& numbers)
   for (const FrictionLaw law : laws) {
     const auto here = resolve_impact<double>(s.contact, s.before, s.surface, law).report;
     const auto there = resolve_impact<double>(turned.contact, turned.before, s.surface, law).report;
-    if (here.outcome != there.outcome || here.separating != there.separating) continue;  // on the edge of a branch
+    if (here.outcome != there.outcome || here.separating != there.separating)
+      continue;  // on the edge of a branch
     RC_ASSERT(norm<double>(Q * here.j_W - there.j_W) <= 1e-8 * norm<double>(here.j_W));
   }
 }
 
 // case S-01 for the laws that are + − × ÷ √: units of powers of two change exponents alone.
 RC_GTEST_PROP(Friction, HasTheSameSignificandsInUnitsOfPowersOfTwo, (const Numbers& numbers)) {
-  const int length = *rc::gen::inRange(-27, 28), mass = *rc::gen::inRange(-27, 28), time = *rc::gen::inRange(-27, 28);
+  const int length = *rc::gen::inRange(-27, 28), mass = *rc::gen::inRange(-27, 28),
+            time = *rc::gen::inRange(-27, 28);
   const Strike s = any_strike(numbers);
   Strike scaled = s;
-  const auto scale = [](auto& x, int k) { x = x.unaryExpr([k](double y) { return std::ldexp(y, k); }).eval(); };
-  for (auto [side, velocity] : {std::pair(&scaled.contact.A, &scaled.before.A), std::pair(&scaled.contact.B, &scaled.before.B)}) {
+  const auto scale = [](auto& x, int k) {
+    x = x.unaryExpr([k](double y) { return std::ldexp(y, k); }).eval();
+  };
+  for (auto [side, velocity] :
+       {std::pair(&scaled.contact.A, &scaled.before.A), std::pair(&scaled.contact.B, &scaled.before.B)}) {
     side->inverse_mass = std::ldexp(side->inverse_mass, -mass);
     scale(side->inverse_I_B_W, -mass - 2 * length);
     scale(side->p_BC_W, length), scale(velocity->v_WB, length - time), scale(velocity->w_WB, -time);

@@ -44,8 +44,8 @@ struct Meeting {
   PairVelocity<T> before() const { return {a.velocity(), b.velocity()}; }
 };
 
-/// Small integers, which shrink well; `body` and `meeting` turn them into numbers of any scalar. Two cuboids with
-/// three different edges each, generic rotations, centres off the origin, spin on both, a skew normal.
+/// Small integers, which shrink well; `body` and `meeting` turn them into numbers of any scalar. Two cuboids
+/// with three different edges each, generic rotations, centres off the origin, spin on both, a skew normal.
 struct Numbers {
   static constexpr int per_body = 17, count = 2 * per_body + 6;
   std::array<int, count> n{};
@@ -81,8 +81,10 @@ struct Numbers {
   friend std::ostream& operator<<(std::ostream& out, const Numbers& numbers) {
     for (int which : {0, 1}) {
       const Body<double> b = numbers.body<double>(which);
-      out << (which ? "\nB: " : "A: ") << "m " << b.m << ", s " << b.s_B.transpose() << ", p " << b.state.p_WB.transpose()
-          << ", v " << b.state.v_WB.transpose() << ", w " << b.state.w_WB.transpose() << "\nR\n" << b.state.R_WB;
+      out << (which ? "\nB: " : "A: ") << "m " << b.m << ", s " << b.s_B.transpose() << ", p "
+          << b.state.p_WB.transpose() << ", v " << b.state.v_WB.transpose() << ", w "
+          << b.state.w_WB.transpose() << "\nR\n"
+          << b.state.R_WB;
     }
     const Meeting<double> m = numbers.meeting<double>();
     return out << "\nC: " << m.p_WC.transpose() << ", n " << m.n_AB_W.transpose() << ", e " << m.e;
@@ -104,9 +106,9 @@ struct Arbitrary<rigor::Numbers> {
 
 namespace rigor {
 
-/// The bound of a property: `residual` is zero over the reals and a straight line of + − × ÷ √ from the integers
-/// on, so in double it is at most γ_k times the absolute sum of its terms, k the roundings on its longest path.
-/// Magnitude computes that sum by running the same lines.
+/// The bound of a property: `residual` is zero over the reals and a straight line of + − × ÷ √ from the
+/// integers on, so in double it is at most γ_k times the absolute sum of its terms, k the roundings on its
+/// longest path. Magnitude computes that sum by running the same lines.
 template <class Residual>
 double worst_ratio(const Numbers& numbers, int k, const Residual& residual) {
   const auto got = residual.template operator()<double>(numbers);

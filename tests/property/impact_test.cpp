@@ -1,9 +1,8 @@
-#include <tests/property/generators.hpp>
-
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/momentum.hpp>
 #include <rigor/formulas/normal_impulse.hpp>
 #include <rigor/formulas/point_velocity.hpp>
+#include <tests/property/generators.hpp>
 
 namespace rigor {
 namespace {
@@ -58,8 +57,9 @@ std::array<T, 3> difference(const Vec3<T>& a, const Vec3<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// The longest path from the integers to a residual. Inputs: number 1; edges 3; I_B 3 + 4; R 9 (products 1, sums 3, quotient 1,
-// product 2 and difference 2); I and its inverse in the world 2·9 + 8 + 4. Through arms, K, j, after, v_r' or energy: 12 + 4 + 6 + 4 + 8.
+// The longest path from the integers to a residual. Inputs: number 1; edges 3; I_B 3 + 4; R 9 (products 1,
+// sums 3, quotient 1, product 2 and difference 2); I and its inverse in the world 2·9 + 8 + 4. Through arms,
+// K, j, after, v_r' or energy: 12 + 4 + 6 + 4 + 8.
 constexpr int path = 80;
 
 }  // namespace
@@ -124,8 +124,9 @@ RC_GTEST_PROP(WorldInertia, TimesItsInverseIsOne, (const Numbers& numbers)) {
   RC_ASSERT(worst_ratio(numbers, path, residual) <= 1);
 }
 
-// case BB-03, FB-11: called the other way round, or seen in a mirror, an impact has the same bits. (Sums of the two
-// bodies commute; a mirror only changes signs. Spins are axial: their components in the mirror's plane turn over.)
+// case BB-03, FB-11: called the other way round, or seen in a mirror, an impact has the same bits. (Sums of
+// the two bodies commute; a mirror only changes signs. Spins are axial: their components in the mirror's
+// plane turn over.)
 RC_GTEST_PROP(Impact, HasTheSameBitsWithTheBodiesSwappedAndInAMirror, (const Numbers& numbers)) {
   const Meeting<double> m = numbers.meeting<double>();
   const Impact<double> x = collide(m);
@@ -140,12 +141,16 @@ RC_GTEST_PROP(Impact, HasTheSameBitsWithTheBodiesSwappedAndInAMirror, (const Num
     const auto axial = [&polar](const Vec3<double>& a) { return Vec3<double>(-polar(a)); };
     const auto body = [&](Body<double> b) {
       for (int i = 0; i < 3; ++i)
-        if (i != axis) b.state.R_WB(axis, i) = -b.state.R_WB(axis, i), b.state.R_WB(i, axis) = -b.state.R_WB(i, axis);
-      b.state.p_WB = polar(b.state.p_WB), b.state.v_WB = polar(b.state.v_WB), b.state.w_WB = axial(b.state.w_WB);
+        if (i != axis)
+          b.state.R_WB(axis, i) = -b.state.R_WB(axis, i), b.state.R_WB(i, axis) = -b.state.R_WB(i, axis);
+      b.state.p_WB = polar(b.state.p_WB), b.state.v_WB = polar(b.state.v_WB),
+      b.state.w_WB = axial(b.state.w_WB);
       return b;
     };
-    const Impact<double> z = collide(Meeting<double>{body(m.a), body(m.b), polar(m.p_WC), polar(m.n_AB_W), m.e});
-    RC_ASSERT(x.j == z.j && polar(x.after.A.v_WB) == z.after.A.v_WB && axial(x.after.A.w_WB) == z.after.A.w_WB);
+    const Impact<double> z =
+        collide(Meeting<double>{body(m.a), body(m.b), polar(m.p_WC), polar(m.n_AB_W), m.e});
+    RC_ASSERT(x.j == z.j && polar(x.after.A.v_WB) == z.after.A.v_WB &&
+              axial(x.after.A.w_WB) == z.after.A.w_WB);
     RC_ASSERT(polar(x.after.B.v_WB) == z.after.B.v_WB && axial(x.after.B.w_WB) == z.after.B.w_WB);
   }
 }
@@ -158,25 +163,30 @@ RC_GTEST_PROP(Impact, TurnsWithTheWorld, (const Numbers& numbers)) {
     const auto turned = [&Q](const Vec3<T>& a) { return apply<T>(Q, a); };
     const auto body = [&](Body<T> b) {
       for (int k = 0; k < 3; ++k) b.state.R_WB.col(k) = turned(b.state.R_WB.col(k));
-      b.state.p_WB = turned(b.state.p_WB), b.state.v_WB = turned(b.state.v_WB), b.state.w_WB = turned(b.state.w_WB);
+      b.state.p_WB = turned(b.state.p_WB), b.state.v_WB = turned(b.state.v_WB),
+      b.state.w_WB = turned(b.state.w_WB);
       return b;
     };
     const PairVelocity<T> x = collide(m).after;
-    const PairVelocity<T> y = collide(Meeting<T>{body(m.a), body(m.b), turned(m.p_WC), turned(m.n_AB_W), m.e}).after;
+    const PairVelocity<T> y =
+        collide(Meeting<T>{body(m.a), body(m.b), turned(m.p_WC), turned(m.n_AB_W), m.e}).after;
     std::array<T, 12> r;
     for (int i = 0; i < 3; ++i) {
-      r[std::size_t(i)] = turned(x.A.v_WB)[i] - y.A.v_WB[i], r[std::size_t(3 + i)] = turned(x.A.w_WB)[i] - y.A.w_WB[i];
-      r[std::size_t(6 + i)] = turned(x.B.v_WB)[i] - y.B.v_WB[i], r[std::size_t(9 + i)] = turned(x.B.w_WB)[i] - y.B.w_WB[i];
+      r[std::size_t(i)] = turned(x.A.v_WB)[i] - y.A.v_WB[i],
+      r[std::size_t(3 + i)] = turned(x.A.w_WB)[i] - y.A.w_WB[i];
+      r[std::size_t(6 + i)] = turned(x.B.v_WB)[i] - y.B.v_WB[i],
+                        r[std::size_t(9 + i)] = turned(x.B.w_WB)[i] - y.B.w_WB[i];
     }
     return r;
   };
   RC_ASSERT(worst_ratio(numbers, path + 30, residual) <= 1);
 }
 
-// case S-01: lengths in units of 2^-a m, masses of 2^-b kg, times of 2^-c s change exponents alone. A hidden absolute
-// epsilon, or a clamp, would not survive it.
+// case S-01: lengths in units of 2^-a m, masses of 2^-b kg, times of 2^-c s change exponents alone. A hidden
+// absolute epsilon, or a clamp, would not survive it.
 RC_GTEST_PROP(Impact, HasTheSameSignificandsInUnitsOfPowersOfTwo, (const Numbers& numbers)) {
-  const int length = *rc::gen::inRange(-27, 28), mass = *rc::gen::inRange(-27, 28), time = *rc::gen::inRange(-27, 28);
+  const int length = *rc::gen::inRange(-27, 28), mass = *rc::gen::inRange(-27, 28),
+            time = *rc::gen::inRange(-27, 28);
   const auto scaled = [](Vec3<double> a, int k) {
     for (int i = 0; i < 3; ++i) a[i] = std::ldexp(a[i], k);
     return a;
@@ -206,7 +216,8 @@ RC_GTEST_PROP(Impact, HasTheSameSignificandsInUnitsOfPowersOfTwo, (const Numbers
 /// Many inputs without rapidcheck, for statistics over them.
 Numbers numbered(int sample) {
   Numbers numbers;
-  for (int i = 0; i < Numbers::count; ++i) numbers.n[std::size_t(i)] = (i * 577 + sample * 7919 + i * i * sample) % 2048 - 1024;
+  for (int i = 0; i < Numbers::count; ++i)
+    numbers.n[std::size_t(i)] = (i * 577 + sample * 7919 + i * i * sample) % 2048 - 1024;
   return numbers;
 }
 
@@ -217,7 +228,8 @@ T restitution_residual(const Numbers& n, T (*law)(const T&, const T&, const T&))
   return dot<T>(x.v_r_after, m.n_AB_W) + m.e * x.v_n;
 }
 
-// The bounds are not idle: they are some 1e-12 of the numbers, so a mistake of any size that matters goes beyond.
+// The bounds are not idle: they are some 1e-12 of the numbers, so a mistake of any size that matters goes
+// beyond.
 TEST(ImpactBounds, AreBrokenByMistakesAndNotOutOfReach) {
   const auto right = []<class T>(const Numbers& n) {
     return std::array<T, 1>{restitution_residual<T>(n, normal_impulse<T>)};
@@ -245,7 +257,7 @@ TEST(ImpactBounds, AreBrokenByMistakesAndNotOutOfReach) {
     }
   }
   EXPECT_LE(worst, 1);
-  EXPECT_GT(worst, 1e-5);  // measured: 9e-5 here, 0.02 among rapidcheck's smaller numbers
+  EXPECT_GT(worst, 1e-5);               // measured: 9e-5 here, 0.02 among rapidcheck's smaller numbers
   EXPECT_GE(small_mistakes_seen, 990);  // of 1000
 }
 

@@ -1,10 +1,9 @@
-#include <tests/property/generators.hpp>
-
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/force_sum.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
 #include <rigor/formulas/semi_implicit_step.hpp>
+#include <tests/property/generators.hpp>
 
 namespace rigor {
 namespace {
@@ -14,7 +13,8 @@ double determinant(const Mat3<double>& R) { return dot<double>(cross<double>(R.c
 }  // namespace
 
 // id: rotation.gram_schmidt, step.semi_implicit
-// Gram-Schmidt on (1 + h[w]ₓ)R, whose condition number is √(1 + h²w²): |QᵀQ − 1| ≤ 12 u κ (rotation.gram_schmidt).
+// Gram-Schmidt on (1 + h[w]ₓ)R, whose condition number is √(1 + h²w²): |QᵀQ − 1| ≤ 12 u κ
+// (rotation.gram_schmidt).
 RC_GTEST_PROP(SemiImplicitStep, EndsWithARotation, (const Numbers& numbers)) {
   State<double> s = numbers.body<double>(0).state;
   const double h = std::ldexp(1, -*rc::gen::inRange(0, 12));
@@ -44,12 +44,15 @@ RC_GTEST_PROP(EulersEquation, BalancesTorqueAndGivesItsPower, (const Numbers& nu
 RC_GTEST_PROP(Wrench, DoesNotDependOnTheOrderOfItsForces, (const Numbers& numbers)) {
   const auto residual = []<class T>(const Numbers& n) {
     const Body<T> a = n.body<T>(0), b = n.body<T>(1);
-    const Vec3<T> p[3] = {a.state.p_WB, b.state.p_WB, a.state.w_WB}, f[3] = {a.state.v_WB, b.state.v_WB, b.state.w_WB};
+    const Vec3<T> p[3] = {a.state.p_WB, b.state.p_WB, a.state.w_WB},
+                  f[3] = {a.state.v_WB, b.state.v_WB, b.state.w_WB};
     Wrench<T> forth, back;
-    for (int i = 0; i < 3; ++i) forth = add_force<T>(forth, p[i], f[i]), back = add_force<T>(back, p[2 - i], f[2 - i]);
+    for (int i = 0; i < 3; ++i)
+      forth = add_force<T>(forth, p[i], f[i]), back = add_force<T>(back, p[2 - i], f[2 - i]);
     std::array<T, 6> r;
     for (int i = 0; i < 3; ++i) {
-      r[std::size_t(i)] = linear_acceleration<T>(T(1) / a.m, forth.f_W)[i] - linear_acceleration<T>(T(1) / a.m, back.f_W)[i];
+      r[std::size_t(i)] =
+          linear_acceleration<T>(T(1) / a.m, forth.f_W)[i] - linear_acceleration<T>(T(1) / a.m, back.f_W)[i];
       r[std::size_t(3 + i)] = forth.tau_W[i] - back.tau_W[i];
     }
     return r;
@@ -58,7 +61,8 @@ RC_GTEST_PROP(Wrench, DoesNotDependOnTheOrderOfItsForces, (const Numbers& number
 }
 
 // id: friction.tangent
-// Of unit length (norm: γ₄) and in the tangent plane: the projection leaves 5u|v_r| of it (proofs/friction.md).
+// Of unit length (norm: γ₄) and in the tangent plane: the projection leaves 5u|v_r| of it
+// (proofs/friction.md).
 RC_GTEST_PROP(FrictionTangent, IsAUnitVectorInTheTangentPlaneAlongTheSlip, (const Numbers& numbers)) {
   const Meeting<double> m = numbers.meeting<double>();
   const Vec3<double> v_r = relative_velocity<double>(m.A(), m.B(), m.before()), n = m.n_AB_W;

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <rigor/scalar/concepts.hpp>
 #include <rigor/scalar/constants.hpp>
 #include <rigor/scalar/gamma.hpp>
 #include <rigor/scalar/magnitude.hpp>
 #include <rigor/scalar/rational.hpp>
 #include <rigor/scalar/strict.hpp>
-
-#include <cmath>
 #include <type_traits>
 
 namespace rigor {
@@ -59,7 +59,8 @@ TEST(GammaBound, CoversKRoundingsAndLittleMore) {
 
 TEST(Pi, IsTheNearestOfItsType) {
   EXPECT_EQ(pi<double>(), M_PI);
-  EXPECT_LT(std::abs(std::sin((long double)pi<double>()) - ((long double)M_PIl - pi<double>())), 1e-19L);  // sin(π − x) = x, to long double's 5e-20
+  EXPECT_LT(std::abs(std::sin((long double)pi<double>()) - ((long double)M_PIl - pi<double>())),
+            1e-19L);  // sin(π − x) = x, to long double's 5e-20
   EXPECT_EQ(pi<float>(), float(M_PI));
 }
 
