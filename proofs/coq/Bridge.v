@@ -68,38 +68,6 @@ Proof. bridge cpp_rotation_rate. Qed.
 Theorem cpp_naive_rotation_step_ok h w Rot : cpp_naive_rotation_step h w Rot = naive_rotation_step h w Rot.
 Proof. bridge cpp_naive_rotation_step. Qed.
 
-(* Roots: innermost first, each replaced by the norm it is, then treated as a number of its own. *)
-Ltac inner_sqrt N := match goal with |- context [sqrt ?x] =>
-  lazymatch x with context [sqrt _] => fail | _ => replace (sqrt x) with N end end.
-Lemma norm_eq u x : x = dot u u -> sqrt x = norm u. Proof. intros ->. reflexivity. Qed.
-
-(*@ bridge rotation.gram_schmidt *)
-Theorem cpp_gram_schmidt_ok A : cpp_gram_schmidt A = gram_schmidt A.
-Proof.
-  unfold gram_schmidt, cpp_gram_schmidt. lazy zeta.
-  set (b := without (col2 A) (u1 A)).
-  set (c := without (without (col3 A) (u1 A)) (u2 A)).
-  inner_sqrt (norm (col1 A)). 2:{ symmetry. apply norm_eq. vunfold. ring. }
-  inner_sqrt (norm b).
-  2:{ symmetry. apply norm_eq. unfold b, without, u1, unit. generalize (norm (col1 A)); intros.
-      vunfold. unfold Rdiv. ring. }
-  inner_sqrt (norm c).
-  2:{ symmetry. apply norm_eq. unfold c, without, u2. fold b. unfold unit. generalize (norm b).
-      unfold b, without, u1, unit. generalize (norm (col1 A)). intros. vunfold. unfold Rdiv. ring. }
-  unfold u3. fold c. unfold unit at 1. generalize (norm c). unfold c, without, u2. fold b. unfold unit.
-  generalize (norm b). unfold b, without, u1, unit. generalize (norm (col1 A)). intros. vunfold. unfold Rdiv.
-  components; ring.
-Qed.
-
-(*@ bridge step.semi_implicit *)
-(* The step calls Gram-Schmidt: the recording of the whole equals the recording of Gram-Schmidt on the naive step. *)
-Theorem cpp_semi_implicit_step_ok h s a alpha :
-  cpp_semi_implicit_step h s a alpha = semi_implicit_step h s a alpha.
-Proof.
-  unfold semi_implicit_step. cbv zeta. rewrite <- cpp_gram_schmidt_ok, <- cpp_naive_rotation_step_ok.
-  vm_cast_no_check (eq_refl (cpp_semi_implicit_step h s a alpha)).
-Qed.
-
 (*@ bridge impulse.effective_mass *)
 Theorem cpp_effective_inverse_mass_ok A B : cpp_effective_inverse_mass A B = effective_inverse_mass A B.
 Proof. bridge cpp_effective_inverse_mass. Qed.
@@ -154,21 +122,3 @@ Proof. bridge cpp_linear_momentum. Qed.
 (*@ bridge momentum.angular *)
 Theorem cpp_angular_momentum_ok m I p v w o : cpp_angular_momentum m I p v w o = angular_momentum m I p v w o.
 Proof. bridge cpp_angular_momentum. Qed.
-
-(* A branch: the recording asks the same questions of equal numbers. *)
-Lemma same_question (T : Type) a a' b b' (x x' y y' : T) : a = a' -> b = b' -> x = x' -> y = y' ->
-  (if Rgt_dec a b then x else y) = (if Rgt_dec a' b' then x' else y').
-Proof. intros -> -> -> ->. reflexivity. Qed.
-Lemma unit_quotients u : u = V3 (vx u) (vy u) (vz u) -> V3 (vx u / norm u) (vy u / norm u) (vz u / norm u) = unit u.
-Proof. intros _. unfold unit. generalize (norm u). intros. unfold Rdiv. vring. Qed.
-Lemma unit_of u x y z s : x = vx u -> y = vy u -> z = vz u -> s = dot u u ->
-  V3 (x / sqrt s) (y / sqrt s) (z / sqrt s) = unit u.
-Proof. intros -> -> -> ->. apply unit_quotients. destruct u; reflexivity. Qed.
-
-(*@ bridge friction.tangent *)
-Theorem cpp_friction_tangent_ok eps v_r f n : cpp_friction_tangent eps v_r f n = friction_tangent eps v_r f n.
-Proof.
-  unfold cpp_friction_tangent, friction_tangent, counts. cbv zeta.
-  apply same_question; [law_unfold; ring | law_unfold; field | apply unit_of; law_unfold; ring |].
-  apply same_question; [law_unfold; ring | law_unfold; field | apply unit_of; law_unfold; ring | reflexivity].
-Qed.

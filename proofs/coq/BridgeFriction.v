@@ -1,5 +1,5 @@
 (* The friction laws of src/formulas are those of Laws.v: as Bridge.v, for formulas that branch. *)
-Require Import Vec3 Laws Traced.
+Require Import Vec3 Laws Traced Bridge.
 
 Ltac friction_unfold := lazy beta iota zeta delta
   [normal_impulse tangential impulse_cancelling coulomb_stick coulomb_slide
@@ -28,6 +28,18 @@ Lemma answer_outside (P Q : Prop) (d : {P} + {Q}) j a b :
   {| impulse := j; outcome := if d then a else b |}
   = if d then {| impulse := j; outcome := a |} else {| impulse := j; outcome := b |}.
 Proof. destruct d; reflexivity. Qed.
+
+Lemma unit_of u x y z s : x = vx u -> y = vy u -> z = vz u -> s = dot u u ->
+  V3 (x / sqrt s) (y / sqrt s) (z / sqrt s) = unit u.
+Proof. intros -> -> -> ->. unfold unit, norm, Rdiv. generalize (/ sqrt (dot u u)). vring. Qed.
+
+(*@ bridge friction.tangent *)
+Theorem cpp_friction_tangent_ok eps v_r f n : cpp_friction_tangent eps v_r f n = friction_tangent eps v_r f n.
+Proof.
+  unfold cpp_friction_tangent, friction_tangent, counts. cbv zeta.
+  apply (same_question _ _ _ Rgt_dec); [law_unfold; ring | law_unfold; field | apply unit_of; law_unfold; ring |].
+  apply (same_question _ _ _ Rgt_dec); [law_unfold; ring | law_unfold; field | apply unit_of; law_unfold; ring | reflexivity].
+Qed.
 
 (*@ bridge friction.coulomb *)
 Theorem cpp_coulomb_impulse_ok K v_r n t e mu_s mu_d :
