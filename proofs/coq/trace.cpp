@@ -1,7 +1,5 @@
 // Runs the templates of src/formulas with a recording scalar and prints what they did as Coq definitions (Traced.v).
 // proofs/check compiles and runs this at every check; its output never lies in the tree.
-// The recording is of the very source that runs in double. It fixes the value as a real number; about rounding it
-// says nothing.
 #include <cstdio>
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/apply_pair_impulse.hpp>
@@ -202,16 +200,16 @@ void write_tree(const std::vector<bool>& script, const std::string& indent, auto
   }
 }
 
-// "Definition cpp_NAME (a : R) (b : V) : V := ..." for a function and the names of its arguments.
+// "Definition PREFIX_NAME (a : R) (b : V) : V := ..." for a function and the names of its arguments.
 template <class Result, class... Arguments>
-void record(const char* name, Result (*function)(Arguments...), const std::string& argument_names) {
+void record(const std::string& prefix, const char* name, Result (*function)(Arguments...), const std::string& argument_names) {
   std::vector<std::string> names;
   std::istringstream words(argument_names);
   for (std::string word; words >> word;) names.push_back(word);
   if (names.size() != sizeof...(Arguments)) throw std::logic_error(std::string(name) + ": argument names");
 
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    std::printf("Definition cpp_%s", name);
+    std::printf("Definition %s_%s", prefix.c_str(), name);
     (std::printf(" (%s : %s)", names[i].c_str(), Coq<std::remove_cvref_t<Arguments>>::name), ...);
     std::printf(" : %s :=\n", Coq<Result>::name);
     write_tree({}, "  ", [&](Recording* in) {
@@ -221,45 +219,65 @@ void record(const char* name, Result (*function)(Arguments...), const std::strin
   }(std::index_sequence_for<Arguments...>());
 }
 
-void record_all() {
-  std::printf("(* Made by proofs/check from src/formulas. *)\nRequire Import Vec3 Laws.\n\n"
-              "Section Recorded.\nVariable eps : R.  (* the scalar's epsilon *)\n\n");
-  record("cuboid_inertia", &cuboid_inertia<T>, "m s");
-  record("cuboid_inverse_inertia", &cuboid_inverse_inertia<T>, "I");
-  record("world_inertia", &world_inertia<T>, "Rot I");
-  record("world_inverse_inertia", &world_inverse_inertia<T>, "Rot inverse_I");
-  record("torque_of_force", &torque_of_force<T>, "r f");
-  record("add_force", &add_force<T>, "sum r f");
-  record("linear_acceleration", &linear_acceleration<T>, "w f");
-  record("angular_acceleration", &angular_acceleration<T>, "I inverse_I w tau");
-  record("point_velocity", &point_velocity<T>, "v w r");
-  record("rotation_rate", &rotation_rate<T>, "w Rot");
-  record("naive_rotation_step", &naive_rotation_step<T>, "h w Rot");
-  record("gram_schmidt", &gram_schmidt<T>, "A");
-  record("semi_implicit_step", &semi_implicit_step<T>, "h s a alpha");
-  record("effective_inverse_mass", &effective_inverse_mass<T>, "A B");
-  record("normal_inverse_mass", &normal_inverse_mass<T>, "A B n");
-  record("relative_velocity", &relative_velocity<T>, "A B u");
-  record("normal_impulse", &normal_impulse<T>, "e v_n k_nn");
-  record("normal_impulse_printed", &normal_impulse_printed<T>, "e v_n k_nn");
-  record("apply_impulse", &apply_impulse<T>, "B before j");
-  record("apply_pair_impulse", &apply_pair_impulse<T>, "A B before j");
-  record("friction_tangent", &friction_tangent<T>, "v_r f n");
-  record("sheet_friction_impulse", &sheet_friction_impulse<T>, "m mu_s mu_d j_r slip");
-  record("sheet_literal_friction_impulse", &sheet_literal_friction_impulse<T>, "mu_d j_r slip");
-  record("coulomb_impulse", &coulomb_impulse<T>, "K v_r n t e mu_s mu_d");
-  record("planar_impulse_stronge", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::stronge); }, "i");
-  record("planar_impulse_poisson", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::poisson); }, "i");
-  record("planar_impulse_newton", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::newton); }, "i");
-  record("positional_correction", &positional_correction<T>, "depth n");
-  record("kinetic_energy", &kinetic_energy<T>, "m I v w");
-  record("impulse_energy", &impulse_energy<T>, "j v_r_before v_r_after");
-  record("linear_momentum", &linear_momentum<T>, "m v");
-  record("angular_momentum", &angular_momentum<T>, "m I p v w o");
-  std::printf("End Recorded.\n");
+// Formulas of + - * / alone, whose rounding is proved as well.
+void record_straight(const std::string& prefix) {
+  record(prefix, "cuboid_inertia", &cuboid_inertia<T>, "m s");
+  record(prefix, "cuboid_inverse_inertia", &cuboid_inverse_inertia<T>, "I");
+  record(prefix, "world_inertia", &world_inertia<T>, "Rot I");
+  record(prefix, "world_inverse_inertia", &world_inverse_inertia<T>, "Rot inverse_I");
+  record(prefix, "torque_of_force", &torque_of_force<T>, "r f");
+  record(prefix, "add_force", &add_force<T>, "sum r f");
+  record(prefix, "linear_acceleration", &linear_acceleration<T>, "w f");
+  record(prefix, "angular_acceleration", &angular_acceleration<T>, "I inverse_I w tau");
+  record(prefix, "point_velocity", &point_velocity<T>, "v w r");
+  record(prefix, "rotation_rate", &rotation_rate<T>, "w Rot");
+  record(prefix, "naive_rotation_step", &naive_rotation_step<T>, "h w Rot");
+  record(prefix, "effective_inverse_mass", &effective_inverse_mass<T>, "A B");
+  record(prefix, "normal_inverse_mass", &normal_inverse_mass<T>, "A B n");
+  record(prefix, "relative_velocity", &relative_velocity<T>, "A B u");
+  record(prefix, "normal_impulse", &normal_impulse<T>, "e v_n k_nn");
+  record(prefix, "normal_impulse_printed", &normal_impulse_printed<T>, "e v_n k_nn");
+  record(prefix, "apply_impulse", &apply_impulse<T>, "B before j");
+  record(prefix, "apply_pair_impulse", &apply_pair_impulse<T>, "A B before j");
+  record(prefix, "kinetic_energy", &kinetic_energy<T>, "m I v w");
+  record(prefix, "impulse_energy", &impulse_energy<T>, "j v_r_before v_r_after");
+  record(prefix, "linear_momentum", &linear_momentum<T>, "m v");
+  record(prefix, "angular_momentum", &angular_momentum<T>, "m I p v w o");
+}
+
+// With roots or branches.
+void record_others(const std::string& prefix) {
+  record(prefix, "gram_schmidt", &gram_schmidt<T>, "A");
+  record(prefix, "semi_implicit_step", &semi_implicit_step<T>, "h s a alpha");
+  record(prefix, "friction_tangent", &friction_tangent<T>, "v_r f n");
+  record(prefix, "positional_correction", &positional_correction<T>, "depth n");
+  record(prefix, "sheet_friction_impulse", &sheet_friction_impulse<T>, "m mu_s mu_d j_r slip");
+  record(prefix, "sheet_literal_friction_impulse", &sheet_literal_friction_impulse<T>, "mu_d j_r slip");
+  record(prefix, "coulomb_impulse", &coulomb_impulse<T>, "K v_r n t e mu_s mu_d");
+  record(prefix, "planar_impulse_stronge", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::stronge); }, "i");
+  record(prefix, "planar_impulse_poisson", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::poisson); }, "i");
+  record(prefix, "planar_impulse_newton", +[](const PlanarImpact<T>& i) { return planar_impulse<T>(i, Restitution::newton); }, "i");
 }
 
 }  // namespace
 }  // namespace rigor
 
-int main() { rigor::record_all(); }
+// The straight recordings are printed three times, with the same text in three scopes: as real numbers (cpp_), with
+// every operation rounded (fl_), and with every difference a sum (size_, the absolute sum a rounding bound is relative to).
+int main() {
+  std::printf("(* Made by proofs/check from src/formulas. *)\nRequire Import Vec3 Laws.\n\n"
+              "Section Recorded.\nVariable eps : R.  (* the scalar's epsilon *)\n\n");
+  rigor::record_straight("cpp");
+  rigor::record_others("cpp");
+  std::printf("End Recorded.\n\n"
+              "Section Rounded.\nVariable rnd : R -> R.\nDeclare Scope rounded.\n"
+              "Notation \"a + b\" := (rnd (Rplus a b)) : rounded.\nNotation \"a - b\" := (rnd (Rminus a b)) : rounded.\n"
+              "Notation \"a * b\" := (rnd (Rmult a b)) : rounded.\nNotation \"a / b\" := (rnd (Rdiv a b)) : rounded.\n"
+              "Local Open Scope rounded.\n\n");
+  rigor::record_straight("fl");
+  std::printf("End Rounded.\n\n"
+              "Section Sizes.\nDeclare Scope sizes.\n"
+              "Notation \"a - b\" := (Rplus a b) : sizes.\nNotation \"- a\" := a (only parsing) : sizes.\nLocal Open Scope sizes.\n\n");
+  rigor::record_straight("size");
+  std::printf("End Sizes.\n");
+}
