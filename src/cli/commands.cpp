@@ -2,6 +2,7 @@
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/grade.hpp>
 #include <rigor/cli/run.hpp>
+#include <rigor/cli/study.hpp>
 #include <rigor/cli/verify.hpp>
 
 namespace rigor::cli {
@@ -9,6 +10,7 @@ namespace rigor::cli {
 void add_commands(CLI::App& app, int& exit_status) {
   add_grade(app, exit_status);
   add_run(app, exit_status);
+  add_study(app, exit_status);
   add_verify(app, exit_status);
   add_explain(app, exit_status);
 }

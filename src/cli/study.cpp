@@ -1,0 +1,72 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/base/suggest.hpp>
+#include <rigor/cli/study.hpp>
+#include <rigor/studies/convergence.hpp>
+
+namespace rigor::cli {
+namespace {
+
+struct Options {
+  std::string kind, out;
+  std::vector<std::string> problems, methods;
+  int rungs = 8;
+  long coarsest = 50;
+  bool json = false, quiet = false;
+};
+
+int bad_input(const std::string& text) {
+  std::fprintf(stderr, "rigor study: %s\n", text.c_str());
+  return 2;
+}
+
+int study_command(const Options& options) {
+  if (options.kind != "convergence" && options.kind != "work-precision")
+    return bad_input("there is no study '" + options.kind + "'" + did_you_mean(options.kind, {"convergence", "work-precision"}) + "; there are convergence, work-precision");
+  std::vector<std::string> problem_names, method_names;
+  for (const auto& p : studies::problems()) problem_names.push_back(p.name);
+  for (const Method& m : methods()) method_names.push_back(std::string(m.name));
+  const auto chosen = [](const std::vector<std::string>& asked, const std::vector<std::string>& standard) { return asked.empty() ? standard : asked; };
+  std::vector<studies::Ladder> ladders;
+  for (const std::string& name : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
+    if (studies::find_problem(name) == nullptr) return bad_input("--problem: there is no problem '" + name + "'" + did_you_mean(name, problem_names));
+  for (const std::string& name : options.methods)
+    if (find_method(name) == nullptr) return bad_input("--method: there is no method '" + name + "'" + did_you_mean(name, method_names));
+  const int repeats = options.kind == "work-precision" ? 5 : 1;
+  for (const std::string& problem : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
+    for (const std::string& method : chosen(options.methods, method_names))
+      if (interrupted() == 0) ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), options.coarsest, options.rungs, repeats));
+
+  const std::string command = "rigor study " + options.kind + " --coarsest " + std::to_string(options.coarsest) + " --rungs " + std::to_string(options.rungs) + " (rigor " RIGOR_VERSION ")";
+  if (!options.out.empty()) {
+    const std::filesystem::path dir = options.out;
+    for (const auto& [name, text] : {std::pair{"study.csv", studies::convergence_csv(ladders)}, std::pair{"study.json", studies::convergence_json(ladders, command)},
+                                     std::pair{"study.html", studies::convergence_html(ladders, options.kind, command)}})
+      if (const auto written = write_file(dir / name, text); !written) return bad_input(written.fault().text());
+  }
+  if (options.json) std::fputs(studies::convergence_json(ladders, command).c_str(), stdout);
+  else if (!options.quiet) std::fputs(studies::convergence_text(ladders).c_str(), stdout);
+  return interrupted() != 0 ? 128 + interrupted() : 0;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& exit_status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("study", "error against step, run time against error, for every method");
+  command->add_option("KIND", options->kind, "convergence or work-precision")->required();
+  command->add_option("--problem", options->problems, "case-A, case-B, case-C, short-A, fb-05, thrown, forced")->delimiter(',');
+  command->add_option("--method", options->methods, "integrators; all by default")->delimiter(',');
+  command->add_option("--coarsest", options->coarsest, "steps of the first run")->check(CLI::Range(1L, 1000000L))->capture_default_str();
+  command->add_option("--rungs", options->rungs, "halvings of the step")->check(CLI::Range(1, 24))->capture_default_str();
+  command->add_option("--out", options->out, "directory for study.csv, study.json, study.html");
+  command->add_flag("--json", options->json, "print study.json");
+  command->add_flag("--quiet", options->quiet, "print nothing");
+  command->footer("Example:  rigor study convergence --problem short-A --method sheet,rk4 --out studies/first");
+  command->callback([options, &exit_status] { exit_status = study_command(*options); });
+}
+
+}  // namespace rigor::cli
