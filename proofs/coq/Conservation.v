@@ -43,6 +43,7 @@ Definition pair_energy mA mB IA IB u :=
   kinetic_energy mA IA (linear (of_A u)) (angular (of_A u)) + kinetic_energy mB IB (linear (of_B u)) (angular (of_B u)).
 
 (*@ momentum.linear *)
+(* An impulse between two movable bodies keeps the sum of their momenta. *)
 Theorem pair_keeps_momentum u j : pair_momentum mA mB (apply_pair_impulse A B u j) = pair_momentum mA mB u.
 Proof.
   unfold pair_momentum, apply_pair_impulse; cbn [of_A of_B].
@@ -50,7 +51,8 @@ Proof.
 Qed.
 
 (*@ impulse.apply_pair *)
-(* Angular momentum about any point o is kept, for every impulse j: both arms go to the same point p. *)
+(* Two movable bodies: angular momentum about any point o is kept, for every impulse j, because both arms go to the
+   same point p. *)
 Theorem pair_keeps_angular_momentum o u j :
   pair_angular_momentum mA mB IA IB xA xB o (apply_pair_impulse A B u j) = pair_angular_momentum mA mB IA IB xA xB o u.
 Proof.
@@ -116,34 +118,33 @@ Qed.
 (* The energy of a contact changes by impulse_energy, in either case; so the rest needs no bodies. *)
 Section Account.
 Variables (A B : ImpactBody) (u : PairVelocity).
-Let v_r := relative_velocity A B u.
-Let v_r' j := relative_velocity A B (apply_pair_impulse A B u j).
 Definition gain A B u j := impulse_energy j (relative_velocity A B u) (relative_velocity A B (apply_pair_impulse A B u j)).
 
 (*@ energy.impulse *)
-(* In terms of K alone. *)
-Theorem gain_by_K j : gain A B u j = dot j v_r + dot j (mv (effective_inverse_mass A B) j) / 2.
+(* In terms of K alone, whatever the bodies: gain is impulse_energy at the velocities before and after j. *)
+Theorem gain_by_K j :
+  gain A B u j = dot j (relative_velocity A B u) + dot j (mv (effective_inverse_mass A B) j) / 2.
 Proof.
-  unfold gain, impulse_energy. rewrite response. fold v_r. generalize (effective_inverse_mass A B) v_r. clear. vfield.
+  set (v_r := relative_velocity A B u). unfold gain, impulse_energy. rewrite response. fold v_r. generalize (effective_inverse_mass A B) v_r. clear. vfield.
 Qed.
 
 (*@ impulse.normal *)
 (* Case P-05, and for two bodies alike: the normal impulse takes (1 - e^2) v_n^2 / (2 k_nn) from the energy. *)
 Theorem normal_impulse_energy n e : dot n n = 1 -> normal_inverse_mass A B n <> 0 ->
-  let v_n := dot v_r n in let k := normal_inverse_mass A B n in
+  let v_n := dot (relative_velocity A B u) n in let k := normal_inverse_mass A B n in
   gain A B u (smul (normal_impulse e v_n k) n) = - (1 - e ^ 2) * v_n ^ 2 / (2 * k).
 Proof.
   intros Hn Hk v_n k. unfold gain, impulse_energy. rewrite dot_smul_l, dot_add_r, !(dot_comm n).
-  pose proof (normal_impulse_restitution A B u n e Hn Hk) as E. cbv zeta in E. fold v_r in E. fold v_n k in E.
-  rewrite E. fold v_r. fold v_n. unfold normal_impulse. field. exact Hk.
+  pose proof (normal_impulse_restitution A B u n e Hn Hk) as E. cbv zeta in E. fold v_n k in E.
+  rewrite E. fold v_n. unfold normal_impulse. field. exact Hk.
 Qed.
 
 (*@ impulse.normal *)
 Theorem normal_impulse_never_adds_energy n e : dot n n = 1 -> 0 < normal_inverse_mass A B n -> 0 <= e <= 1 ->
-  gain A B u (smul (normal_impulse e (dot v_r n) (normal_inverse_mass A B n)) n) <= 0.
+  gain A B u (smul (normal_impulse e (dot (relative_velocity A B u) n) (normal_inverse_mass A B n)) n) <= 0.
 Proof.
   intros Hn Hk He. pose proof (normal_impulse_energy n e Hn (Rgt_not_eq _ _ Hk)) as E. cbv zeta in E. rewrite E.
-  set (k := normal_inverse_mass A B n) in *.
+  set (k := normal_inverse_mass A B n) in *. set (v_r := relative_velocity A B u).
   replace (- (1 - e ^ 2) * (dot v_r n) ^ 2 / (2 * k)) with (- ((1 - e ^ 2) * (dot v_r n) ^ 2 * / (2 * k))) by (field; lra).
   assert (0 <= (1 - e ^ 2) * (dot v_r n) ^ 2 * / (2 * k)); [|lra].
   apply Rmult_le_pos; [apply Rmult_le_pos; [nra|apply pow2_ge_0]|left; apply Rinv_0_lt_compat; lra].
@@ -152,16 +153,17 @@ Qed.
 (*@ impulse.normal_printed *)
 (* The misprint loses exactly as much energy: an energy balance cannot tell the two apart. *)
 Theorem printed_impulse_energy n e : dot n n = 1 -> normal_inverse_mass A B n <> 0 ->
-  let v_n := dot v_r n in let k := normal_inverse_mass A B n in
+  let v_n := dot (relative_velocity A B u) n in let k := normal_inverse_mass A B n in
   gain A B u (smul (normal_impulse_printed e v_n k) n) = - (1 - e ^ 2) * v_n ^ 2 / (2 * k).
 Proof.
   intros Hn Hk v_n k. unfold gain, impulse_energy. rewrite dot_smul_l, dot_add_r, !(dot_comm n).
-  pose proof (printed_impulse_outcome A B u n e Hn Hk) as E. cbv zeta in E. fold v_r in E. fold v_n k in E.
-  rewrite E. fold v_r. fold v_n. unfold normal_impulse_printed. field. exact Hk.
+  pose proof (printed_impulse_outcome A B u n e Hn Hk) as E. cbv zeta in E. fold v_n k in E.
+  rewrite E. fold v_n. unfold normal_impulse_printed. field. exact Hk.
 Qed.
 
 (*@ energy.impulse *)
 (* An impulse that opposes the velocity before and the velocity after never adds energy. *)
-Theorem opposing_impulse_never_adds_energy j : dot j v_r <= 0 -> dot j (v_r' j) <= 0 -> gain A B u j <= 0.
-Proof. intros. unfold gain, impulse_energy. rewrite dot_add_r. fold v_r. fold (v_r' j). lra. Qed.
+Theorem opposing_impulse_never_adds_energy j : dot j (relative_velocity A B u) <= 0 ->
+  dot j (relative_velocity A B (apply_pair_impulse A B u j)) <= 0 -> gain A B u j <= 0.
+Proof. intros. unfold gain, impulse_energy. rewrite dot_add_r. lra. Qed.
 End Account.

@@ -33,7 +33,7 @@ Proof. unfold shift, positional_correction. rewrite Rmax_right by apply depth_no
 Lemma gap_shifted p d : gap (vadd p d) = gap p + dot d n. Proof. unfold gap. vring. Qed.
 
 (*@ contact.correction *)
-(* After it no point is inside, and the deepest one lies in the plane; without penetration nothing moves. *)
+(* n a unit vector, points the corners: after the correction no point is inside, and the deepest one lies in the plane; without penetration nothing moves. *)
 Theorem correction_removes_the_deepest points :
   (forall p, In p points -> 0 <= gap (vadd p (shift points)))
   /\ ((exists p, In p points /\ gap p < 0) -> exists p, In p points /\ gap (vadd p (shift points)) = 0)

@@ -106,6 +106,7 @@ Proof.
 Qed.
 
 (*@ friction.coulomb *)
+(* The stick trial is solved rightly. *)
 Theorem cancelling_cancels K b : det K <> 0 -> mv K (impulse_cancelling K b) = smul (-1) b.
 Proof.
   unfold impulse_cancelling. intros D. set (d := det K) in *.
@@ -192,7 +193,8 @@ Lemma frictionless_push : 0 < normal_impulse e v_n k_nn.
 Proof. apply normal_impulse_pushes; [apply k_nn_pos|lra|exact approach]. Qed.
 
 (*@ friction.coulomb *)
-(* Newton's restitution holds whatever friction does: normal and tangent are solved together. *)
+(* In the docstring's domain, with j the impulse returned and after K v_r j = v_r + K j: Newton's restitution holds
+   whatever friction does, because normal and tangent are solved together. *)
 Theorem coulomb_restitution : dot (after K v_r j) n = - e * v_n.
 Proof.
   destruct coulomb_cases as [(_ & -> & _)|[(D & -> & _)|(-> & _)]].
@@ -202,7 +204,7 @@ Proof.
 Qed.
 
 (*@ friction.coulomb *)
-(* It pushes, and stays in the cone of mu_s. *)
+(* In the docstring's domain: the impulse pushes, and stays in the cone of mu_s. *)
 Theorem coulomb_in_the_cone :
   0 <= dot j n /\ dot (tangential j n) (tangential j n) <= (mu_s * dot j n) ^ 2.
 Proof.
@@ -228,7 +230,7 @@ Proof.
 Qed.
 
 (*@ friction.coulomb *)
-(* Stuck: no slip is left. *)
+(* In the docstring's domain. Stuck: no slip is left. *)
 Theorem coulomb_stuck : outcome result = stuck -> after K v_r j = smul (- e * v_n) n.
 Proof.
   intros O. destruct coulomb_cases as [(_ & -> & _)|[(_ & _ & [[E _]|[E _]])|(_ & [[E _]|[E _]])]];
@@ -236,7 +238,7 @@ Proof.
 Qed.
 
 (*@ friction.coulomb *)
-(* Slid: friction lies on the cone of mu_d against t, the slip goes on along t, and no energy is added. *)
+(* In the docstring's domain. Slid: friction lies on the cone of mu_d against t, the slip goes on along t, and no energy is added. *)
 Theorem coulomb_slid : outcome result = slid -> 0 <= dot v_r t -> mu_s <> 0 ->
   tangential j n = smul (- mu_d * dot j n) t
   /\ 0 <= dot t (after K v_r j)
@@ -261,7 +263,7 @@ Proof.
 Qed.
 
 (*@ friction.coulomb *)
-(* A plastic impact that sticks loses energy ... *)
+(* In the docstring's domain: a plastic impact that sticks loses energy ... *)
 Theorem coulomb_plastic_stick : outcome result = stuck -> e = 0 -> impulse_energy j v_r (after K v_r j) <= 0.
 Proof.
   intros O Z. pose proof (coulomb_stuck O) as A. rewrite Z in A. unfold impulse_energy. rewrite A.

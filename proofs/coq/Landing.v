@@ -30,7 +30,8 @@ Qed.
 Let q := (1 + e) * m * s / 4.
 
 (*@ impulse.apply *)
-(* A quarter of (1 + e) m s at each corner: no spin, and every corner leaves with e times the approach speed. *)
+(* Case P-10: half edges and moments positive, approach at s along y, no spin before. A quarter of (1 + e) m s at each
+   corner: no spin after, and every corner leaves with e times the approach speed. *)
 Theorem flat_landing_quarters :
   land q q q q = {| linear := vadd v (smul ((1 + e) * s) up); angular := vzero |}
   /\ forall a b, leaves a b (land q q q q) = e * s.
@@ -43,7 +44,7 @@ Proof.
 Qed.
 
 (*@ impulse.apply *)
-(* Four impulses that do this differ from the quarters by a twist d that moves nothing, so the quarters are the
+(* Case P-10: four impulses that make every corner leave at e s differ from the quarters by a twist d that moves nothing, so the quarters are the
    answer of least sum of squares. *)
 Theorem flat_landing_smallest q1 q2 q3 q4 :
   (forall a b, (a = 1 \/ a = -1) -> (b = 1 \/ b = -1) -> leaves a b (land q1 q2 q3 q4) = e * s) ->

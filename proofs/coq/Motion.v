@@ -19,7 +19,7 @@ Variables (p v w : R -> V) (Rot : R -> M).
 Hypothesis Rate : forall t, mderiv Rot t (rotation_rate (w t) (Rot t)).
 
 (*@ motion.point_velocity *)
-(* The formula is the derivative of where the point is: c is fixed in the body. *)
+(* The formula is the derivative of where the point is: c is fixed in the body, R' = [w] R. *)
 Theorem point_velocity_is_a_derivative c t : vderiv p t (v t) ->
   vderiv (fun s => vadd (p s) (mv (Rot s) c)) t (point_velocity (v t) (w t) (mv (Rot t) c)).
 Proof.
@@ -46,7 +46,7 @@ Proof.
 Qed.
 
 (*@ rotation.rate *)
-(* The spin is the only vector w with R' = [w] R. *)
+(* Along R' = [w] R from an orthogonal R(0), the spin is the only vector with that rate. *)
 Theorem rate_unique a b : orthogonal (Rot 0) -> forall t,
   rotation_rate a (Rot t) = rotation_rate b (Rot t) -> a = b.
 Proof.
@@ -92,7 +92,7 @@ Proof.
 Qed.
 
 (*@ motion.euler *)
-(* dL/dt = tau exactly when w' is the formula's. *)
+(* R' = [w] R, R(0) a rotation, the inertia R diag(I) R^T: dL/dt = tau exactly when w' = a is the formula's. *)
 Theorem euler t a tau : vderiv w t a ->
   (vderiv momentum t tau <-> a = angular_acceleration (inertia t) (inverse t) (w t) tau).
 Proof.
@@ -108,14 +108,14 @@ Variable tau : R -> V.
 Hypothesis Euler : forall t, vderiv w t (angular_acceleration (inertia t) (inverse t) (w t) (tau t)).
 
 (*@ motion.euler *)
-(* Without torque the vector L = I w stands still in the world. *)
+(* Along Euler's equation, without torque the vector L = I w stands still in the world. *)
 Theorem torque_free_momentum_constant : (forall t, tau t = vzero) -> forall t, momentum t = momentum 0.
 Proof.
   intros Z. apply vconstant. intros t. rewrite <- (Z t). apply (proj2 (euler t _ (tau t) (Euler t))). reflexivity.
 Qed.
 
 (*@ motion.euler *)
-(* The energy of turning changes at the rate tau.w ... *)
+(* Along Euler's equation the energy of turning changes at the rate tau.w ... *)
 Theorem spin_energy_rate t : deriv (fun s => kinetic_energy 0 (inertia s) vzero (w s)) t (dot (tau t) (w t)).
 Proof.
   pose proof (proj2 (euler t _ (tau t) (Euler t)) eq_refl) as L. fold momentum in L.
@@ -157,6 +157,7 @@ Proof.
 Qed.
 
 (*@ motion.euler *)
+(* In body axes, I w' = (I w) x w: the energy is constant ... *)
 Theorem body_axes_energy_constant t : dot (w t) (mv (diag I) (w t)) = dot (w 0) (mv (diag I) (w 0)).
 Proof.
   apply (constant (fun s => dot (w s) (mv (diag I) (w s)))). intros s.
@@ -165,6 +166,7 @@ Proof.
 Qed.
 
 (*@ motion.euler *)
+(* ... and so is |L|. *)
 Theorem body_axes_momentum_constant t :
   let L s := mv (diag I) (w s) in dot (L t) (L t) = dot (L 0) (L 0).
 Proof.

@@ -117,7 +117,8 @@ Proof.
 Qed.
 
 (*@ friction.stronge_planar *)
-(* Friction only takes: at any moment of the process the energy is at most what the normal direction has done. *)
+(* In the docstring's domain. Friction only takes: at any moment p of the process the energy gained is at most what the
+   normal direction has done. *)
 Theorem friction_only_takes p : 0 <= p -> energy_gain p <= normal_work p.
 Proof.
   intros Hp. unfold energy_gain, normal_work. destruct (on_second_leg_dec p) as [O|O].
@@ -150,7 +151,7 @@ Proof.
 Qed.
 
 (*@ friction.stronge_planar *)
-(* The impulse never leaves the cone of mu_s. *)
+(* In the docstring's domain: the impulse never leaves the cone of mu_s. *)
 Theorem planar_in_the_cone p : 0 <= p -> Rabs (tangential_impulse p) <= mu_s i * p.
 Proof.
   intros Hp. pose proof second_leg as (_ & _ & C).
@@ -224,7 +225,7 @@ Proof.
 Qed.
 
 (*@ friction.stronge_planar *)
-(* The closed form is the process: the impulse returned lies on it, compression ends where v_n = 0, restitution where
+(* In the docstring's domain. The closed form is the process: the impulse returned lies on it, compression ends where v_n = 0, restitution where
    the rule says, with the bodies separating. *)
 Theorem planar_impulse_is_the_process rule :
   let j := planar_impulse rule i in exists p_c, 0 < p_c <= j_n j
@@ -352,7 +353,7 @@ Proof.
 Qed.
 
 (*@ friction.stronge_planar *)
-(* Stronge's rule never adds energy: what the whole impact gains is at most (1 - e^2) times the work of compression,
+(* In the docstring's domain. Stronge's rule never adds energy: what the whole impact gains is at most (1 - e^2) times the work of compression,
    which is negative. *)
 Theorem stronge_never_adds_energy :
   let j := planar_impulse stronge i in
@@ -367,7 +368,7 @@ Proof.
 Qed.
 
 (*@ friction.stronge_planar *)
-(* Newton's rule leaves v_n' = -e v_n, Poisson's has (1 + e) times the impulse of compression. *)
+(* In the docstring's domain: Newton's rule leaves v_n' = -e v_n, Poisson's has (1 + e) times the impulse of compression. *)
 Theorem newton_and_poisson :
   (let j := planar_impulse newton i in v_n i + k_nn i * j_n j + k_tn i * j_t j = - e i * v_n i)
   /\ (let j := planar_impulse poisson i in exists p_c, j_n j = (1 + e i) * p_c
