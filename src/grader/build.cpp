@@ -290,9 +290,8 @@ class Builder {
       if (!e.file.empty() && replace_unsound(sources_[e.file], e)) return true;
     for (const Diagnostic& e : errors)
       if (!e.file.empty() && !is_source(e.file) && give_up(e.file, e)) return true;
-    Diagnostic first = errors.empty() ? Diagnostic{name, 0, last_error_, ""} : errors.front();
-    if (first.file.empty()) first.file = name, first.line = 0;
-    return give_up(name, first);
+    if (errors.empty() || errors.front().file.empty()) return give_up(name, {name, 0, last_error_, ""});
+    return give_up(name, errors.front());
   }
 
   std::string shown(const Diagnostic& e) const {

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t compiler_cpu_s = 20, compiler_memory = 3ull << 30, compiler_file = 256u << 20;
+constexpr std::uint64_t compiler_cpu_s = 10, compiler_memory = 3ull << 30, compiler_file = 256u << 20;
 constexpr double compiler_wall_s = 120;
 constexpr std::size_t kept_output = 256u << 10;
 
@@ -56,12 +56,14 @@ Compilation run(std::vector<std::string> argv, const fs::path& directory, std::v
     open = n > 0 || (n < 0 && errno == EINTR);
   }
   const bool late = left_ms() <= 0;
-  while (!late && !child.ended() && left_ms() > 0) usleep(200);
+  if (!late) child.ended(1);
   const int status = child.end();
   close(out[0]);
   c.ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (late || c.output.find("CPU time limit") != c.output.npos || c.output.find("Killed") != c.output.npos)
     c.stopped = "the compiler needed more than " + std::to_string(compiler_cpu_s) + " s";
+  else if (c.output.find("File size limit") != c.output.npos)
+    c.stopped = "the program is larger than " + std::to_string(compiler_file >> 20) + " MiB";
   else if (c.output.find("virtual memory exhausted") != c.output.npos || c.output.find("out of memory") != c.output.npos)
     c.stopped = "the compiler needed more than " + std::to_string(compiler_memory >> 30) + " GiB";
   return c;
@@ -88,6 +90,9 @@ Outcome<bool> open_directory(const fs::path& path) {
   if (info.st_uid != geteuid()) return Fault{fault.kind, fault.where, fault.what + "it belongs to somebody else"};
   if (access(path.c_str(), W_OK) != 0) return Fault{fault.kind, fault.where, fault.what + "it cannot be written to"};
   fs::permissions(path, fs::perms(0755), ec);
+  if (const fs::path closed = closed_to_confined(path); !closed.empty())
+    return Fault{fault.kind, fault.where, fault.what + "the compiler runs as nobody, who may not pass through " +
+                                              closed.string() + " (set RIGOR_CACHE to another place)"};
   return true;
 }
 
@@ -112,7 +117,9 @@ bool copy_whole(const fs::path& from, const fs::path& to) {
 }
 
 Workshop::Workshop() {
-  std::string pattern = (fs::temp_directory_path() / "rigor-build-XXXXXX").string();
+  fs::path place = fs::temp_directory_path();
+  if (!closed_to_confined(place).empty()) place = "/tmp";  // a TMPDIR inside root's home
+  std::string pattern = (place / "rigor-build-XXXXXX").string();
   promise(mkdtemp(pattern.data()) != nullptr, "a temporary directory can be made");
   root_ = pattern;
   fs::permissions(root_, fs::perms(0755));

@@ -1,6 +1,6 @@
 #include <fcntl.h>
-#include <grp.h>
 #include <poll.h>
+#include <linux/landlock.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -27,13 +27,47 @@ namespace fs = std::filesystem;
 
 constexpr uid_t nobody = 65534;
 constexpr int information_fd = 10, filter_fd = 11, first_free_fd = 12, parking_fd = 20;
-char* const environment[] = {const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C"),
-                             const_cast<char*>("HOME=/tmp"), nullptr};
+
+std::vector<std::string> environment_of(const Confined& what) {
+  return {"PATH=/usr/bin:/bin", "LC_ALL=C", "HOME=/tmp",
+          "TMPDIR=" + (what.writable.empty() ? "/tmp" : what.writable.front().string())};
+}
+
+std::vector<char*> as_array(const std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
 
 /// Becomes nobody for good; false where we are root in name only (a container without that user).
 bool become_nobody() {
   return syscall(SYS_setgroups, 0, nullptr) == 0 && syscall(SYS_setresgid, nobody, nobody, nobody) == 0 &&
          syscall(SYS_setresuid, nobody, nobody, nobody) == 0;
+}
+
+/// Landlock: the kernel lets this process read below `readable` and write below `writable`, and nowhere else. The
+/// fall-back where there are no mount namespaces; false where the kernel has none either. Allocates nothing.
+bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
+  constexpr std::uint64_t read_rights =
+      LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+  constexpr std::uint64_t all_rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;
+  landlock_ruleset_attr handled{};
+  handled.handled_access_fs = all_rights;
+  const int rules = int(syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0));
+  if (rules < 0) return false;
+  const auto allow = [rules](const char* path, std::uint64_t rights) {
+    landlock_path_beneath_attr below{};
+    below.parent_fd = open(path, O_PATH | O_CLOEXEC);
+    if (below.parent_fd < 0) return;
+    below.allowed_access = rights;
+    syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &below, 0);
+    close(below.parent_fd);
+  };
+  for (const char* system : {"/usr", "/bin", "/lib", "/lib32", "/lib64"}) allow(system, read_rights);
+  for (const fs::path& path : readable) allow(path.c_str(), read_rights);
+  for (const fs::path& path : writable) allow(path.c_str(), all_rights);
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && syscall(SYS_landlock_restrict_self, rules, 0) == 0;
 }
 
 /// What happens in a child of ours, and whether it ended with status 0. Nothing it prints is seen.
@@ -59,7 +93,7 @@ const char* bubblewrap_path() {
 
 /// What this machine allows, found out by trying.
 struct Layers {
-  bool drops_user, namespaces, filter;
+  bool drops_user, namespaces, filter, landlock;
   const char* bubblewrap;
 };
 
@@ -68,11 +102,12 @@ const Layers& layers() {
     Layers l{};
     l.drops_user = geteuid() == 0 && succeeds(become_nobody);
     l.filter = succeeds([] { return install(compiler_filter()); });
+    l.landlock = succeeds([] { return keep_to({}, {}); });
     l.bubblewrap = bubblewrap_path();
     l.namespaces = l.bubblewrap != nullptr && succeeds([&l] {
       if (l.drops_user && !become_nobody()) return false;
       const char* argv[] = {l.bubblewrap, "--unshare-all", "--ro-bind", "/", "/", "/bin/true", nullptr};
-      execve(l.bubblewrap, const_cast<char**>(argv), environment);
+      execv(l.bubblewrap, const_cast<char**>(argv));
       return false;
     });
     return l;
@@ -85,10 +120,8 @@ std::vector<std::string> bubblewrap_arguments(const Confined& what) {
                                "--cap-drop", "ALL", "--clearenv",
                                "--info-fd", std::to_string(information_fd)};
   const auto add = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
-  for (char* const* variable = environment; *variable != nullptr; ++variable) {
-    const std::string text = *variable;
-    add({"--setenv", text.substr(0, text.find('=')), text.substr(text.find('=') + 1)});
-  }
+  for (const std::string& variable : environment_of(what))
+    add({"--setenv", variable.substr(0, variable.find('=')), variable.substr(variable.find('=') + 1)});
   if (layers().filter) add({"--seccomp", std::to_string(filter_fd)});
   if (what.profile == Profile::compiler) {
     add({"--ro-bind", "/usr", "/usr", "--tmpfs", "/tmp"});
@@ -113,7 +146,8 @@ void limit(int resource, std::uint64_t value) {
 }
 
 /// Between fork and exec: nothing here allocates.
-[[noreturn]] void become(const Confined& what, char* const* argv, int information, int filter) {
+[[noreturn]] void become(const Confined& what, char* const* argv, char* const* environment, int information,
+                         int filter) {
   setsid();
   // The descriptors asked for may be among 0, 1, 2 ... themselves: park them above, then place them.
   int parked[16];
@@ -146,6 +180,8 @@ void limit(int resource, std::uint64_t value) {
   if (!layers().namespaces) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (chdir(what.directory.c_str()) != 0) _exit(127);
+    // (a worker opens no file at all: its filter refuses)
+    if (!worker && layers().landlock && !keep_to(what.readable, what.writable)) _exit(127);
     if (layers().filter && !install(worker ? worker_filter(getpid()) : compiler_filter())) _exit(127);
   }
   execve(argv[0], argv, environment);
@@ -166,9 +202,8 @@ int filter_file(const SystemCallFilter& filter) {
 Outcome<Child> start(const Confined& what) {
   promise(what.descriptors.size() < std::size_t(information_fd), "a confined process gets few descriptors");
   const std::vector<std::string> words = layers().namespaces ? bubblewrap_arguments(what) : what.argv;
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
+  const std::vector<std::string> variables = environment_of(what);
+  const std::vector<char*> argv = as_array(words), environment = as_array(variables);
 
   int information[2] = {-1, -1}, filter = -1;
   if (layers().namespaces) {
@@ -177,7 +212,7 @@ Outcome<Child> start(const Confined& what) {
       filter = filter_file(what.profile == Profile::worker ? worker_filter(0) : compiler_filter());
   }
   const pid_t pid = fork();
-  if (pid == 0) become(what, argv.data(), information[1], filter);
+  if (pid == 0) become(what, argv.data(), environment.data(), information[1], filter);
   const int why = errno;
   if (information[1] >= 0) close(information[1]);
   if (filter >= 0) close(filter);
@@ -228,10 +263,14 @@ double Child::cpu_seconds() const {
   return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
-bool Child::ended() {
+bool Child::ended(double seconds) {
   if (reaped_ || pid_ <= 0) return true;
+  const auto begun = std::chrono::steady_clock::now();
   pid_t got;
-  while ((got = waitpid(pid_, &status_, WNOHANG)) < 0 && errno == EINTR) continue;
+  while ((got = waitpid(pid_, &status_, WNOHANG)) != pid_) {
+    if (std::chrono::steady_clock::now() - begun >= std::chrono::duration<double>(seconds)) break;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
   reaped_ = got == pid_;
   if (reaped_ && information_ >= 0) close(information_), information_ = -1;
   return reaped_;
@@ -243,10 +282,7 @@ int Child::end() {
   // Killing the namespace's first process kills everything in it before bubblewrap sees it end.
   if (inside <= 0 || kill(inside, SIGKILL) != 0) kill(pid_, SIGKILL);
   if (!layers().namespaces) kill(-pid_, SIGKILL);
-  for (int waited = 0; !ended(); ++waited) {
-    if (waited == 2000) kill(pid_, SIGKILL);
-    std::this_thread::sleep_for(std::chrono::milliseconds(waited < 20 ? 0 : 1));
-  }
+  while (!ended(2)) kill(pid_, SIGKILL);
   return status_;
 }
 
@@ -260,10 +296,14 @@ std::vector<std::string> isolation(Profile profile) {
     lines.push_back(std::string("bubblewrap: user, process, network, mount, IPC, host-name and cgroup namespaces of "
                                 "its own; sees ") +
                     (worker ? "no file but its own program" : "/usr, the kit and the submission"));
-  else
+  else {
     lines.push_back(std::string("process only: ") +
                     (l.bubblewrap ? "bubblewrap is here but this machine refuses it namespaces"
                                   : "bubblewrap is not installed"));
+    if (!worker)
+      lines.push_back(l.landlock ? "landlock: sees /usr, the kit and the submission"
+                                 : "files: all that this user may read (no landlock either)");
+  }
   if (l.filter)
     lines.push_back(worker ? "system calls: an allow-list (no file, network, process, thread or signal to others)"
                            : "system calls: network, tracing, mounts and kernel interfaces refused");
@@ -290,6 +330,19 @@ std::string signal_words(int number) {
 
 bool hand_over(const fs::path& path) {
   return !layers().drops_user || lchown(path.c_str(), nobody, nobody) == 0;
+}
+
+fs::path closed_to_confined(const fs::path& path) {
+  if (!layers().drops_user) return {};
+  fs::path way;
+  for (const fs::path& part : fs::absolute(path)) {
+    way /= part;
+    std::error_code ec;
+    const auto status = fs::status(way, ec);
+    if (!fs::is_directory(status)) break;
+    if ((status.permissions() & fs::perms::others_exec) == fs::perms::none) return way;
+  }
+  return {};
 }
 
 }  // namespace rigor::grader

@@ -38,8 +38,8 @@ class Child {
 
   /// Processor seconds used by the program itself so far; negative when that cannot be known.
   double cpu_seconds() const;
-  /// True once it has ended; then status() is what waitpid said of it.
-  bool ended();
+  /// True once it has ended by itself, for which it has `seconds`; then status() is what waitpid said of it.
+  bool ended(double seconds = 0);
   /// Kills it with all it started and reaps it. The status is the first of both: how it ended, or by our hand.
   int end();
   int status() const { return status_; }
@@ -66,5 +66,9 @@ std::string signal_words(int number);
 
 /// To be called by whoever makes files for a confined process: gives them to the user it runs as.
 bool hand_over(const std::filesystem::path& path);
+
+/// The first directory on the way to `path` that user may not pass through (a home directory of root's); empty
+/// when there is none.
+std::filesystem::path closed_to_confined(const std::filesystem::path& path);
 
 }  // namespace rigor::grader

@@ -102,7 +102,8 @@ struct Worker::Process {
 
   /// How it went, seen from outside: only when it left without last words.
   Death how_it_ended() {
-    const int status = child.end();
+    if (!child.ended(1)) return {Death::Kind::exited, "closed the descriptors it answers on"};
+    const int status = child.status();
     drain();
     int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;

@@ -1,0 +1,5 @@
+#include "CollisionPlane.h"
+
+void CollisionPlane::applyCollisionResponse(Cuboid &c) {
+  abort();
+}

@@ -1,0 +1,7 @@
+#include "CollisionPlane.h"
+
+static struct Before {
+  Before() {
+    *(volatile int*)8 = 1;
+  }
+} before;

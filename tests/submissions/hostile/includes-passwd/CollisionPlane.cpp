@@ -1,0 +1,4 @@
+#include "CollisionPlane.h"
+#define FILE "/etc/passwd"
+#include FILE
+#include "../../../../../../etc/hostname"

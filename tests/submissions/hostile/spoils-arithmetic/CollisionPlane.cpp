@@ -1,0 +1,7 @@
+#include "CollisionPlane.h"
+#include <fenv.h>
+
+void CollisionPlane::applyCollisionResponse(Cuboid &c) {
+  fesetround(FE_UPWARD);
+  feenableexcept(FE_INEXACT);
+}
