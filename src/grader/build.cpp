@@ -145,11 +145,22 @@ class Builder {
   }
 
   void look_at_functions() {
+    std::map<std::string, std::string> cut;  // by class: where a comment begins that never ends
+    for (auto& [name, source] : sources_)
+      if (const std::size_t at = unclosed_comment(source.text); at != source.text.npos) {
+        const auto line = 1 + std::count(source.text.begin(), source.text.begin() + std::ptrdiff_t(at), '\n');
+        const std::string where = source.path + ":" + std::to_string(line) + ": the comment that begins here never ends";
+        cut[name.substr(0, name.rfind('.'))] = where;
+        note(where);
+        source.text.erase(at);
+      }
     for (std::size_t i = 0; i < student_functions; ++i) {
       const StudentFunction f = StudentFunction(i);
       const std::string full = student_function_name(f);
       const auto [source, definition] = find(full);
-      if (source == nullptr) {
+      if (const auto begun = cut.find(full.substr(0, full.find(':'))); source == nullptr && begun != cut.end()) {
+        status(f) = {Kind::not_compiled, begun->second};
+      } else if (source == nullptr) {
         status(f) = {Kind::not_implemented, ""};
         note(full + " is not there");
       } else if (is_handed_out(f, std::string_view(source->text).substr(definition.body,
@@ -220,7 +231,9 @@ class Builder {
       while (next < names.size() && next - done < std::size_t(std::max(1, options_.jobs)))
         running.push_back(std::async(std::launch::async, [this, name = names[next++]] { return object(name); }));
       const Compilation c = running[done].get();
-      if (!c.ok) clean = false, repair(names[done], c);
+      // errors under a header that is about to be replaced say nothing about the files
+      if (!c.ok && headers_key() == headers_) repair(names[done], c);
+      clean &= c.ok;
     }
     return clean;
   }
@@ -282,14 +295,16 @@ class Builder {
     if (!sources_.contains(name)) return false;
     for (const Diagnostic& e : errors)
       if (!e.missing.empty() && !e.file.empty() && leave_out_include(e)) return true;
+    // Braces that do not match, and a broken header, make errors everywhere else: these first.
     bool replaced = false;
+    for (const Diagnostic& e : errors)
+      if (!e.file.empty()) replaced |= replace_unsound(sources_[e.file], e);
+    if (replaced) return true;
+    for (const Diagnostic& e : errors)
+      if (!e.file.empty() && !is_source(e.file) && (replace_function_at(e) || give_up(e.file, e))) return true;
     for (const Diagnostic& e : errors)
       if (!e.file.empty()) replaced |= replace_function_at(e);
     if (replaced) return true;
-    for (const Diagnostic& e : errors)
-      if (!e.file.empty() && replace_unsound(sources_[e.file], e)) return true;
-    for (const Diagnostic& e : errors)
-      if (!e.file.empty() && !is_source(e.file) && give_up(e.file, e)) return true;
     if (errors.empty() || errors.front().file.empty()) return give_up(name, {name, 0, last_error_, ""});
     return give_up(name, errors.front());
   }
@@ -322,9 +337,11 @@ class Builder {
   }
 
   bool replace_unsound(Source& source, const Diagnostic& e) {
-    for (const Definition& d : definitions_of(source.text))
-      if (!d.sound && replace(source, d, e)) return true;
-    return false;
+    bool replaced = false;
+    const std::vector<Definition> all = definitions_of(source.text);
+    for (auto d = all.rbegin(); d != all.rend(); ++d)  // from the end: the offsets before stay as they are
+      if (!d->sound) replaced |= replace(source, *d, e);
+    return replaced;
   }
 
   bool replace(Source& source, const Definition& d, const Diagnostic& e) {
@@ -376,6 +393,8 @@ class Builder {
       source = from_kit(name);
     else
       sources_.erase(name);
+    for (const std::string c : classes)
+      if (name == c + ".h") complete(c);
     return true;
   }
 

@@ -205,7 +205,9 @@ std::string squeezed(std::string_view body) {
 
 }  // namespace
 
-std::vector<Token> tokens_of(std::string_view s) {
+namespace {
+
+std::vector<Token> scan(std::string_view s, std::size_t& unclosed) {
   std::vector<Token> tokens;
   int line = 1;
   std::size_t i = 0;
@@ -227,6 +229,7 @@ std::vector<Token> tokens_of(std::string_view s) {
       }
     } else if (s.substr(i, 2) == "/*") {
       const std::size_t end = s.find("*/", i + 2);
+      if (end == s.npos) unclosed = i;
       skip_to(end == s.npos ? s.size() : end + 2);
     } else if (c == '#' && line_begins) {
       while (i < s.size() && s[i] != '\n') {
@@ -251,6 +254,19 @@ std::vector<Token> tokens_of(std::string_view s) {
     }
   }
   return tokens;
+}
+
+}  // namespace
+
+std::vector<Token> tokens_of(std::string_view text) {
+  std::size_t unclosed = text.npos;
+  return scan(text, unclosed);
+}
+
+std::size_t unclosed_comment(std::string_view text) {
+  std::size_t unclosed = text.npos;
+  scan(text, unclosed);
+  return unclosed;
 }
 
 std::vector<Definition> definitions_of(std::string_view text) { return Finder(text).run(); }

@@ -15,6 +15,9 @@ struct Token {
 };
 std::vector<Token> tokens_of(std::string_view text);
 
+/// Where a comment begins that never ends; npos when there is none.
+std::size_t unclosed_comment(std::string_view text);
+
 /// A function with a body, found by its braces.
 struct Definition {
   std::string name;              ///< "Cuboid::update", or "helper"

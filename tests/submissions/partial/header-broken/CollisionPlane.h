@@ -1,0 +1,6 @@
+#pragma once
+#include "Cuboid.h"
+class CollisionPlane {
+  P3D pointOnPlane
+  V3D normal;
+};

@@ -1,0 +1,2 @@
+#include "Helpers.h"
+void clear(V3D &v) { v.zero(); }
