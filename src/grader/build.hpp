@@ -37,12 +37,12 @@ struct FunctionStatus {
 };
 
 struct BuildOptions {
-  std::filesystem::path cache;  ///< objects and precompiled headers by content; empty: `default_cache()`
+  std::filesystem::path cache{};  ///< objects and precompiled headers by content; empty: `default_cache()`
   int jobs = 1;                 ///< compilers at a time
   bool sanitize = false;        ///< address and undefined-behaviour sanitizers: advice, not for grading
   /// Functions to be replaced by the handed-out ones although they compile: a function every other one runs
   /// through (body_inertia, in the constructor) and that crashes or hangs need not cost the rest.
-  std::set<StudentFunction> replaced;
+  std::set<StudentFunction> replaced{};
 };
 
 /// $RIGOR_CACHE, else /var/cache/rigor for root, else $XDG_CACHE_HOME/rigor or ~/.cache/rigor.
