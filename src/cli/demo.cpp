@@ -1,0 +1,161 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/cli/demo.hpp>
+#include <rigor/grader/judge.hpp>
+#include <rigor/report/html.hpp>
+#include <rigor/report/plot.hpp>
+#include <rigor/scene/trajectory.hpp>
+#include <rigor/studies/convergence.hpp>
+#include <set>
+
+namespace rigor::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+int failed(const Fault& fault) {
+  std::fprintf(stderr, "rigor demo: %s\n", fault.text().c_str());
+  return 2;
+}
+
+// The bundled class: what a course hands in, right and wrong.
+constexpr const char* students[][2] = {
+    {"right/explicit-loops", "right, with explicit loops"},
+    {"right/exponential-map", "right, with the exponential map"},
+    {"wrong/no-gyroscopic-term", "one term missing"},
+    {"wrong/world-inertia-transposed", "frames mixed up"},
+    {"wrong/printed-restitution", "believed the sheet's misprint"},
+    {"wrong/pair-one-body-only", "forgot the other body"},
+    {"wrong/two-mistakes", "two things at once"},
+    {"kit", "handed in the kit as it was"},
+};
+
+// The mistakes found, each once, in words that fit a line.
+std::string findings(const grader::Report& report) {
+  std::set<std::string> ids;
+  for (const grader::CheckResult& r : report.results)
+    for (const grader::Diagnosis& d : r.diagnosis)
+      if (r.max_points > 0 && r.verdict != grader::Verdict::pass) ids.insert(d.id == "relation" ? d.text : d.id);
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+  if (!text.empty()) return text;
+  return report.score == report.max_score ? "" : report.score == 0 ? "not implemented" : "see the report";
+}
+
+Outcome<std::string> grade_class(const fs::path& out) {
+  std::printf("1. Grading a class of %zu\n", std::size(students));
+  std::vector<std::vector<std::string>> rows;
+  std::string links;
+  for (const auto& [path, says] : students) {
+    const Stopwatch watch;
+    const auto submission = grader::open_submission(fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions" / path);
+    if (!submission) return submission.fault();
+    auto graded = grader::grade(*submission, grader::Rubric{}, {}, {});
+    if (!graded) return graded.fault();
+    grader::Report report = *graded;
+    report.tool = "rigor " RIGOR_VERSION;
+    report.submission_path = "tests/submissions/" + std::string(path);
+    if (const auto written = write_file(out / "class" / report.submission / "report.html", grader::report_html(report)); !written) return written.fault();
+    if (const auto written = write_file(out / "class" / report.submission / "report.json", grader::report_json(report)); !written) return written.fault();
+    const std::string found = findings(report);
+    std::printf("   %-26s %5.4g of %g   %-44.44s\n", report.submission.c_str(), report.score, report.max_score, found.c_str());
+    std::fflush(stdout);
+    char score[32];
+    std::snprintf(score, sizeof score, "%g", report.score);
+    links += "<li><a href=\"class/" + report::escape(report.submission) + "/report.html\">" + report::escape(report.submission) + "</a>: " + score + " of 100 (" +
+             report::escape(says) + ")" + (found.empty() ? "" : "; named: <code>" + report::escape(found) + "</code>") + "</li>\n";
+    if (interrupted() != 0) break;
+  }
+  return "<h2>A class of " + std::to_string(std::size(students)) + ", graded</h2><p>Every submission was compiled unchanged and run in a locked-down process; each link is a student's report.</p><ul>" + links + "</ul>\n";
+}
+
+Outcome<std::string> run_scene(const fs::path& out) {
+  std::printf("2. The assignment's scene: ten cuboids, 20 s\n");
+  Scene scene = builtin_scene("assignment", 3);
+  scene.every = 1.0 / 30;
+  TrajectoryCsv csv(scene.bodies.size());
+  report::Plot plot{"Heights of the ten cuboids", "time, s", "height of the centre, m", false, false, {}};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) plot.series.push_back({"cuboid " + std::to_string(i + 1), {}, {}, false});
+  const Stopwatch watch;
+  const RunSummary run = simulate(scene, [&](double t, const std::vector<State<double>>& states) {
+    csv.add(t, states);
+    for (std::size_t i = 0; i < states.size(); ++i) plot.series[i].x.push_back(t), plot.series[i].y.push_back(states[i].p_WB[1]);
+  });
+  const double wall = watch.seconds();
+  if (const auto written = write_file(out / "scene" / "trajectory.csv", csv.text()); !written) return written.fault();
+  if (const auto written = write_file(out / "scene" / "summary.json", summary_json(scene, run, wall)); !written) return written.fault();
+  const Ledger& l = run.ledger;
+  std::printf("   %ld steps in %.2f s; %ld impacts; energy %.4g -> %.4g J (restitution %.4g, friction %.4g lost)\n", run.steps, wall, l.impacts,
+              l.energy.start, l.energy.end, l.energy.restitution_loss, l.energy.friction_loss);
+  char text[200];
+  std::snprintf(text, sizeof text, "%ld steps, %ld impacts, %.2f s of wall time for 20 s.", run.steps, l.impacts, wall);
+  return "<h2>The assignment's scene</h2><p>" + std::string(text) + " <a href=\"scene/trajectory.csv\">trajectory.csv</a>, <a href=\"scene/summary.json\">summary.json</a></p>" +
+         report::figure(plot, "Ten cuboids fall into a room and come to rest.");
+}
+
+Outcome<std::string> study(const fs::path& out) {
+  std::printf("3. Convergence of the plain stepper, against references that share nothing with it\n");
+  std::vector<studies::Ladder> ladders;
+  for (const char* problem : {"short-A", "forced"})
+    for (const char* method : {"sheet", "euler-exponential", "rk4"})
+      if (interrupted() == 0) ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), 25, 8));
+  if (const auto written = write_file(out / "study" / "study.html", studies::convergence_html(ladders, "convergence", "rigor demo")); !written) return written.fault();
+  if (const auto written = write_file(out / "study" / "study.csv", studies::convergence_csv(ladders)); !written) return written.fault();
+  report::Plot plot{"Attitude error against step, free flight", "step h, s", "attitude error at T = 1 s, rad", true, true, {}};
+  std::printf("   %-10s %-20s %-14s %-16s %s\n", "problem", "method", "fitted order", "error, coarsest", "error, finest (rad)");
+  for (const studies::Ladder& l : ladders) {
+    std::printf("   %-10s %-20s %-14.2f %-16.2e %.2e\n", l.problem->name.c_str(), std::string(l.method->name).c_str(), l.order, l.runs.front().error.attitude,
+                l.runs.back().error.attitude);
+    if (l.problem->name != "short-A") continue;
+    report::Series series{std::string(l.method->name), {}, {}};
+    for (const studies::Run& r : l.runs) series.x.push_back(r.h), series.y.push_back(r.error.attitude);
+    plot.series.push_back(series);
+  }
+  return "<h2>Convergence</h2><p>Free flight against a Taylor series in 60 digits, forced motion against SUNDIALS' CVODE. <a href=\"study/study.html\">The whole study</a></p>" +
+         report::figure(plot);
+}
+
+int demo_command(const fs::path& out) {
+  const Stopwatch watch;
+  std::string body;
+  for (auto part : {grade_class, run_scene, study}) {
+    if (interrupted() != 0) return 128 + interrupted();
+    const auto html = part(out);
+    if (!html) return failed(html.fault());
+    body += *html;
+    std::printf("\n");
+  }
+  report::Page page;
+  page.title = "rigor: what it does, on bundled input";
+  page.lead = "Grading, simulation and a convergence study, made by one command: ./rigor demo";
+  page.body = body;
+  page.footer = "rigor " RIGOR_VERSION;
+  if (const auto written = write_file(out / "index.html", report::render(page)); !written) return failed(written.fault());
+  std::printf("Everything on one page: %s   (%.0f s)\n", (out / "index.html").string().c_str(), watch.seconds());
+  std::printf("Next: rigor grade DIR, rigor run SCENE.json, rigor study convergence, rigor explain impulse.normal\n");
+  return 0;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, int& exit_status) {
+  auto out = std::make_shared<std::string>("out/demo");
+  CLI::App* command = app.add_subcommand("demo", "the main jobs on bundled input, with one page to look at");
+  command->add_option("--out", *out, "directory for index.html and what it links to")->capture_default_str();
+  command->footer("Example:  rigor demo --out /tmp/demo");
+  command->callback([out, &exit_status] { exit_status = demo_command(*out); });
+}
+
+}  // namespace rigor::cli
