@@ -10,9 +10,12 @@
 
 // The verification catalogue: every case id has a test, or the reason why it has none yet, never both. Tests
 // name the ids they cover ("case FB-05"); tests/mutants names them as oracles and does not count.
-// RIGOR_WRITE=1 test_layout --gtest_filter='Catalogue.*' writes docs/catalogue.md.
 namespace rigor::layout {
 namespace {
+
+const std::string command = "RIGOR_WRITE=1 build/release/tests/test_layout --gtest_filter='Catalogue.*'";
+const char* const heading =
+    "# id\twhat is checked\twhy none yet (empty when a test under tests/ names the id)\n";
 
 struct Case {
   std::string id, description, why_none;
@@ -62,19 +65,23 @@ std::vector<std::string> complaints(const std::vector<Case>& cases) {
     if (one.tests.empty() && one.why_none.empty())
       all.push_back(one.id + ": no test names it, and tests/catalogue.tsv gives no reason");
     if (!one.tests.empty() && !one.why_none.empty())
-      all.push_back(one.id + ": " + one.tests.front() +
-                    " names it; take its reason out of tests/catalogue.tsv");
+      all.push_back(one.id + ": " + one.tests.front() + " names it, so its reason must go: " + command);
   }
   return all;
 }
 
+std::string table(const std::vector<Case>& cases) {
+  std::string text = heading;
+  for (const Case& one : cases)
+    text += one.id + "\t" + one.description + (one.why_none.empty() ? "" : "\t" + one.why_none) + "\n";
+  return text;
+}
+
 std::string page(const std::vector<Case>& cases) {
-  std::string text =
-      "# Verification cases and their tests\n\n"
-      "Written by `RIGOR_WRITE=1 build/release/tests/test_layout --gtest_filter='Catalogue.*'`; not edited "
-      "by hand.\n"
-      "A case has a test, or the reason why it has none yet (tests/catalogue.tsv).\n\n| case | what is "
-      "checked | tests |\n|---|---|---|\n";
+  std::string text = "# Verification cases and their tests\n\nWritten by `" + command +
+                     "`; not edited by hand.\n" +
+                     "A case has a test, or the reason why it has none yet (tests/catalogue.tsv).\n\n" +
+                     "| case | what is checked | tests |\n|---|---|---|\n";
   for (const Case& one : cases) {
     text += "| " + one.id + " | " + one.description + " | ";
     for (std::size_t i = 0; i < one.tests.size(); ++i)
@@ -87,20 +94,31 @@ std::string page(const std::vector<Case>& cases) {
 
 }  // namespace
 
+// A complete run (CI, RIGOR_ALL) also fails on a reason that a test has overtaken and on a stale page; in
+// daily work, where tests arrive one by one, those are notes. RIGOR_WRITE=1 mends both.
 TEST(Catalogue, GivesEveryCaseATestOrAReason) {
-  const std::vector<Case> cases = catalogue();
+  std::vector<Case> cases = catalogue();
+  if (std::getenv("RIGOR_WRITE")) {
+    for (Case& one : cases)
+      if (!one.tests.empty()) one.why_none.clear();
+    std::ofstream(source / "tests/catalogue.tsv") << table(cases);
+    std::ofstream(source / "docs/catalogue.md") << page(cases);
+  }
   EXPECT_EQ(cases.size(), 128u);
-  for (const std::string& line : complaints(cases)) {
-    // While the layers are arriving a reason may outlive its purpose for a while.
-    if (line.find("take its reason out") != std::string::npos)
-      std::printf("note: %s\n", line.c_str());
-    else
+  std::vector<std::string> all = complaints(cases);
+  if (read(source / "docs/catalogue.md") != page(cases))
+    all.push_back("docs/catalogue.md is stale: " + command);
+  const bool complete = std::getenv("CI") || std::getenv("RIGOR_ALL");
+  for (const std::string& line : all) {
+    const bool mended_by_command = line.find(command) != std::string::npos;
+    if (complete || !mended_by_command)
       ADD_FAILURE() << line;
+    else
+      std::printf("note: %s\n", line.c_str());
   }
   const auto tested =
       std::count_if(cases.begin(), cases.end(), [](const Case& one) { return !one.tests.empty(); });
   std::printf("%ld of %zu cases have a test; the others a reason\n", long(tested), cases.size());
-  if (std::getenv("RIGOR_WRITE")) std::ofstream(source / "docs/catalogue.md") << page(cases);
 }
 
 TEST(Catalogue, SeesGapsAndContradictions) {
