@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <rigor/integrators/method.hpp>
+#include <rigor/linalg/rotation.hpp>
+#include <rigor/scalar/gamma.hpp>
+
+namespace rigor {
+namespace {
+
+using V = Vec3<double>;
+
+const Cuboid<double> plate = *Cuboid<double>::make(2, {1, 2, 3});
+const Cuboid<double> prism = *Cuboid<double>::make(2, {1, 1, 3});  // I1 = I2
+
+const Method& method(const char* name) {
+  const Method* found = find_method(name);
+  EXPECT_NE(found, nullptr) << name;
+  return *found;
+}
+State<double> generic() {
+  State<double> s;
+  s.p_WB = V(1, -2, 3);
+  s.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
+  s.v_WB = V(0.5, 1, -0.25);
+  s.w_WB = V(0.3, -1, 0.7);
+  return s;
+}
+template <class LoadAt>
+State<double> fly(const char* name, const Cuboid<double>& body, const State<double>& start, double until, long steps, LoadAt load) {
+  const Method& m = method(name);
+  Motion now = motion_of(body, start);
+  const double h = until / double(steps);
+  for (long k = 0; k < steps; ++k) now = m.step(body, now, load(double(k) * h, now.state), h);
+  return now.state;
+}
+const auto no_load = [](double, const State<double>&) { return Load{}; };
+
+TEST(Methods, AreFoundByNameAndNotByAnother) {
+  for (const Method& m : methods()) {
+    EXPECT_EQ(find_method(m.name), &m);
+    EXPECT_FALSE(m.source.empty());
+  }
+  EXPECT_EQ(find_method("sheets"), nullptr);
+}
+
+// case FB-01: without force a straight line; spin about a principal axis stays. Rounding only.
+TEST(EveryMethod, FliesStraightAndKeepsAPrincipalSpin) {
+  for (const Method& m : methods()) {
+    State<double> s = generic();
+    s.w_WB = 1.5 * s.R_WB.col(2);
+    const State<double> end = fly(std::string(m.name).c_str(), plate, s, 2, 1000, no_load);
+    EXPECT_LT(norm<double>(V(end.p_WB - s.p_WB - 2 * s.v_WB)), gamma_bound(2000) * 5) << m.name;
+    EXPECT_EQ(end.v_WB, s.v_WB) << m.name;
+    // the naive method stretches R across the axis by exp(h w^2 T/2) (case K-07), and the spin with it
+    if (m.name != "euler-naive") {
+      EXPECT_LT(norm<double>(V(end.w_WB - s.w_WB)), 1e-12) << m.name;
+    }
+  }
+}
+
+// cases D-01, D-02: free fall. Explicit Euler lags the parabola by g h T/2, the semi-implicit ones lead by as much.
+TEST(FreeFall, LeadsOrLagsTheParabolaByHalfGHT) {
+  const double T = 2, h = 0.01, g = -9.8;
+  const auto weight = [&](double, const State<double>&) { return Load{V(0, plate.mass() * g, 0), zero3<double>()}; };
+  const State<double> s = generic();
+  const double parabola = s.p_WB[1] + T * s.v_WB[1] + g * T * T / 2, bound = gamma_bound(4 * 200) * 40;
+  EXPECT_NEAR(fly("explicit-euler", plate, s, T, 200, weight).p_WB[1] - parabola, -g * h * T / 2, bound);
+  for (const char* name : {"sheet", "euler-naive", "euler-exponential", "euler-momentum"})
+    EXPECT_NEAR(fly(name, plate, s, T, 200, weight).p_WB[1] - parabola, g * h * T / 2, bound) << name;
+  EXPECT_NEAR(fly("rk4", plate, s, T, 200, weight).p_WB[1], parabola, bound);
+}
+
+// cases D-03, D-04: a linear spring on the centre, omega^2 = k/m.
+TEST(Spring, ExplicitEulerGrowsByItsFactorAndSymplecticEulerKeepsItsModifiedEnergy) {
+  const double k = 8, w2 = k / plate.mass(), h = 0.01;
+  const long n = 500;
+  const auto spring = [&](double, const State<double>& s) { return Load{V(-k * s.p_WB), zero3<double>()}; };
+  State<double> s;
+  s.p_WB = V(1, 0, 0);
+  s.v_WB = V(0, 0.5, 0);
+  const auto energy = [&](const State<double>& x) { return dot<double>(x.v_WB, x.v_WB) / 2 + w2 * dot<double>(x.p_WB, x.p_WB) / 2; };
+  const double grown = energy(fly("explicit-euler", plate, s, n * h, n, spring)) / energy(s);
+  EXPECT_NEAR(grown, std::pow(1 + h * h * w2, double(n)), 1e-12 * grown);
+  const auto modified = [&](const State<double>& x) { return energy(x) - h * w2 * dot<double>(x.p_WB, x.v_WB) / 2; };  // kick, then drift
+  EXPECT_NEAR(modified(fly("sheet", plate, s, n * h, n, spring)), modified(s), gamma_bound(8 * int(n)) * energy(s));
+}
+
+// case D-06: linear drag by explicit Euler: (1 - ch)^N, unstable beyond ch = 2.
+TEST(Drag, ExplicitEulerMultipliesByOneMinusCh) {
+  const double c = 3;
+  const auto drag = [&](double, const State<double>& s) { return Load{V(-c * plate.mass() * s.v_WB), zero3<double>()}; };
+  for (const double h : {0.1, 0.5, 0.8}) {  // the last: ch = 2.4
+    const long n = 20;
+    const double want = std::pow(1 - c * h, double(n));
+    EXPECT_NEAR(fly("explicit-euler", plate, generic(), double(n) * h, n, drag).v_WB[1], want, 1e-12 * std::fabs(want) + 1e-15);
+  }
+}
+
+// case D-08: L in world axes as the state stays the same to the bit, for ever.
+TEST(MomentumForm, KeepsAngularMomentumToTheBit) {
+  Motion now = motion_of(plate, generic());
+  const V L = now.L_W;
+  for (int k = 0; k < 20000; ++k) now = method("euler-momentum").step(plate, now, {}, 0.01);
+  EXPECT_EQ(now.L_W, L);
+  EXPECT_LT(orthonormality_defect<double>(now.state.R_WB), 1e-14);
+}
+
+// case D-12: a step of no length changes nothing.
+TEST(EveryMethod, AStepOfNoLengthChangesNothing) {
+  for (const Method& m : methods()) {
+    const State<double> s = generic(), end = m.step(plate, motion_of(plate, s), {V(1, 2, 3), V(4, 5, 6)}, 0).state;
+    EXPECT_EQ(end.p_WB, s.p_WB) << m.name;
+    EXPECT_EQ(end.v_WB, s.v_WB) << m.name;
+    EXPECT_LT(norm<double>(V(end.w_WB - s.w_WB)), 1e-14) << m.name;
+    EXPECT_LT(angle_between<double>(end.R_WB, s.R_WB), 1e-14) << m.name;
+  }
+}
+
+// case FB-12: a cube feels no gyroscopic torque.
+TEST(EveryMethod, ACubeKeepsItsSpin) {
+  const Cuboid<double> cube = *Cuboid<double>::make(2, {1.5, 1.5, 1.5});
+  for (const Method& m : methods()) {
+    if (m.name == "euler-naive") continue;  // its R is no rotation, so its inertia is no cube's
+    const State<double> s = generic(), end = fly(std::string(m.name).c_str(), cube, s, 1, 200, no_load);
+    EXPECT_LT(norm<double>(V(end.w_WB - s.w_WB)), 1e-12) << m.name;
+  }
+}
+
+// The closed form of a square prism: body precession k w3, k = (I3 - I1)/I1, and space precession L/I1.
+State<double> prism_at(const State<double>& s, double t) {
+  const V I = prism.inertia(), w_B = apply_transposed<double>(s.R_WB, s.w_WB), L = motion_of(prism, s).L_W;
+  const double rate = (I[2] - I[0]) / I[0] * w_B[2];
+  State<double> end = s;
+  end.R_WB = exp_so3<double>(V(t / I[0] * L)) * s.R_WB * exp_so3<double>(V(0, 0, -rate * t));
+  end.w_WB = apply<double>(end.R_WB, V(w_B[0] * std::cos(rate * t) - w_B[1] * std::sin(rate * t), w_B[0] * std::sin(rate * t) + w_B[1] * std::cos(rate * t), w_B[2]));
+  return end;
+}
+// case FB-03, with the observed order of each method over three halvings.
+TEST(EveryMethod, ShowsItsOrderOnASquarePrism) {
+  for (const Method& m : methods()) {
+    const State<double> s = generic(), want = prism_at(s, 1);
+    const auto error = [&](long n) { return angle_between<double>(fly(std::string(m.name).c_str(), prism, s, 1, n, no_load).R_WB, want.R_WB); };
+    const double order = std::log2(error(200) / error(400));
+    EXPECT_NEAR(order, m.order, 0.1) << m.name;
+  }
+}
+
+// case FB-10: negate the velocities at T and fly back; a method of order p misses the start by order p, rk4 by little.
+TEST(RungeKutta, FliesBackToWhereItCameFrom) {
+  const State<double> s = generic();
+  State<double> half = fly("rk4", plate, s, 2, 400, no_load);
+  half.v_WB = -half.v_WB;
+  half.w_WB = -half.w_WB;
+  const State<double> back = fly("rk4", plate, half, 2, 400, no_load);
+  EXPECT_LT(angle_between<double>(back.R_WB, s.R_WB), 1e-9);  // order 4 at h = 0.005 over 4 s; measured 3e-11
+  EXPECT_LT(norm<double>(V(back.p_WB - s.p_WB)), 1e-13);
+}
+
+// case FB-08: next to the middle axis the disturbance grows as exp(lambda t), lambda = w sqrt((I1-I2)(I2-I3)/(I1 I3)).
+TEST(RungeKutta, LeavesTheMiddleAxisAtTheRateOfTheTennisRacket) {
+  const V I = plate.inertia();  // falling from x to z
+  State<double> s;
+  const double w = 2, lambda = w * std::sqrt((I[0] - I[1]) * (I[1] - I[2]) / (I[0] * I[2]));
+  // on the growing mode: w1/w3 = sqrt(I3 (I2 - I3) / (I1 (I1 - I2)))
+  s.w_WB = V(1e-8 * std::sqrt(I[2] * (I[1] - I[2]) / (I[0] * (I[0] - I[1]))), w, 1e-8);
+  const State<double> end = fly("rk4", plate, s, 6, 6000, no_load);
+  const V w_B = apply_transposed<double>(end.R_WB, end.w_WB);
+  const double rate = std::log(std::hypot(w_B[0], w_B[2]) / std::hypot(s.w_WB[0], s.w_WB[2])) / 6;
+  EXPECT_NEAR(std::fabs(rate), lambda, 0.01 * lambda);
+}
+
+// case F-01: constant force and a constant torque about a principal axis, from rest.
+TEST(EveryMethod, FollowsAConstantForceAndAPrincipalTorque) {
+  for (const Method& m : methods()) {
+    const auto push = [](double, const State<double>&) { return Load{V(2, -1, 3), V(0, 0, 1.5)}; };
+    const State<double> end = fly(std::string(m.name).c_str(), plate, {}, 1, 2000, push);
+    EXPECT_LT(norm<double>(V(end.p_WB - V(2, -1, 3) / plate.mass() / 2)), 2e-3) << m.name;  // h F T/(2 m)
+    EXPECT_NEAR(end.w_WB[2], 1.5 / plate.inertia()[2], 1e-3) << m.name;
+    if (m.name != "euler-naive") {
+      EXPECT_NEAR(std::atan2(end.R_WB(1, 0), end.R_WB(0, 0)), 1.5 / plate.inertia()[2] / 2, 2e-3) << m.name;
+    }
+  }
+}
+
+// case F-02: a square prism under a constant axial torque held in body axes:
+// w1 + i w2 = (w1 + i w2)_0 exp(-i k (w3_0 t + tau t^2/(2 I3))), k = (I1 - I3)/I1.
+TEST(RungeKutta, FollowsAPrismUnderAnAxialTorque) {
+  const double tau = 0.7, T = 1.5;
+  State<double> s;
+  s.w_WB = V(0.4, -0.3, 1.1);
+  const auto axial = [&](double, const State<double>& x) { return Load{zero3<double>(), V(tau * x.R_WB.col(2))}; };
+  const V I = prism.inertia();
+  const double phase = -(I[0] - I[2]) / I[0] * (1.1 * T + tau * T * T / (2 * I[2]));
+  const auto error = [&](long n) {
+    const State<double> end = fly("rk4", prism, s, T, n, axial);
+    const V w = apply_transposed<double>(end.R_WB, end.w_WB);
+    const V want(0.4 * std::cos(phase) + 0.3 * std::sin(phase), 0.4 * std::sin(phase) - 0.3 * std::cos(phase), 1.1 + tau * T / I[2]);
+    return norm<double>(V(w - want));
+  };
+  // the load is held in world axes over a step, so the torque's axis lags by half a step: order 1
+  EXPECT_NEAR(std::log2(error(400) / error(800)), 1, 0.1);
+  EXPECT_LT(error(6400), 1e-3);
+}
+
+}  // namespace
+}  // namespace rigor
