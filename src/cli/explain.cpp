@@ -170,7 +170,7 @@ std::optional<Explanation> explain(const std::vector<Text>& texts, const std::st
     }
   }
   if (e.header.empty()) return std::nullopt;
-  static const std::regex cited(R"(erratum ([a-z][a-z0-9-]*))");
+  static const std::regex cited(R"((?:erratum|errata|and) ([a-z][a-z0-9-]*))");  // "errata a and b" too; unknown words find no section
   for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited);
        m != std::sregex_iterator(); ++m)
     for (const Text& text : texts)

@@ -84,7 +84,7 @@ int verify_command(const Options& options) {
   }
   if (!options.json)
     std::printf("\n%s: %zu formulas, %.1f s, seed %llu\n", result.ok() ? "all held" : "NOT all held",
-                result.roundings.size(), elapsed(), static_cast<unsigned long long>(options.seed));
+                result.agreements.size(), elapsed(), static_cast<unsigned long long>(options.seed));
   return result.ok() ? 0 : 1;
 }
 

@@ -1,6 +1,9 @@
 #include <rigor/base/interrupt.hpp>
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_coulomb.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
+#include <rigor/formulas/friction_stronge_planar.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
@@ -71,6 +74,31 @@ PairVelocity<Q> after_normal(const Exact& in, Q (*law)(const Q&, const Q&, const
   return apply_pair_impulse<Q>(in.A, in.B, in.u, times(j, in.n_W));
 }
 
+// Coulomb's law on a contact that approaches with slip along a rational tangent.
+bool coulomb_holds(const Exact& in) {
+  const V n = in.R_WB.col(0), t = in.R_WB.col(1), v = plus(times(-in.m, n), times(in.m_B, t));
+  const M3 K = effective_inverse_mass<Q>(in.A, in.B);
+  const Q mu_d = in.mu * Q(3, 4);
+  const auto answer = coulomb_impulse<Q>(K, v, n, t, in.e, in.mu, mu_d);
+  const V after = plus(v, apply<Q>(K, answer.j_W));
+  const Q j_n = dot<Q>(answer.j_W, n);
+  const V j_t = minus(answer.j_W, times(j_n, n));
+  if (dot<Q>(after, n) != in.e * in.m || j_n < Q(0)) return false;
+  if (answer.outcome == FrictionOutcome::stuck)
+    return same(minus(after, times(dot<Q>(after, n), n)), zero3<Q>()) && dot<Q>(j_t, j_t) <= in.mu * in.mu * j_n * j_n;
+  return answer.outcome == FrictionOutcome::jammed || in.mu == Q(0) || same(j_t, times(-mu_d * j_n, t));
+}
+// Routh's process ended by Poisson's rule (rational): inside the cone, never more energy, momentum of the normal exact.
+bool planar_holds(const Exact& in) {
+  const Q k_nn = Q(1) + in.m, k_tt = Q(1) + in.m_B, k_tn = (in.e - Q(1, 2)) * Q(9, 5);
+  if (!(k_tn * k_tn < k_nn * k_tt)) return true;
+  const Q v_n = -(Q(1) + in.h), v_t = in.s_B[0];
+  const auto j = planar_impulse<Q>({k_nn, k_tt, k_tn, v_n, v_t, in.e, in.mu, in.mu * Q(3, 4)}, Restitution::poisson);
+  const Q n_after = v_n + k_nn * j.j_n + k_tn * j.j_t, t_after = v_t + k_tn * j.j_n + k_tt * j.j_t;
+  const Q work = (j.j_n * (v_n + n_after) + j.j_t * (v_t + t_after)) / Q(2);
+  return abs(j.j_t) <= in.mu * j.j_n && work <= Q(0) && n_after >= Q(0) && (j.mode != PlanarMode::sticking || t_after == Q(0));
+}
+
 struct Row {
   const char *id, *says;
   bool (*holds)(const Exact&);
@@ -111,6 +139,17 @@ const Row rows[] = {
        return dot<Q>(t, in.p_BC_W) == Q(0) && dot<Q>(t, in.f_W) == Q(0) &&
               dot<Q>(t, t) + along * along == dot<Q>(in.p_BC_W, in.p_BC_W) * dot<Q>(in.f_W, in.f_W);
      }},
+    {"friction.coulomb", "v_n' = -e v_n; stuck: no slip, inside the cone; slid: on the cone, against the slip", coulomb_holds},
+    {"friction.sheet", "stops the slip of a point mass exactly, or is mu_d j_r",
+     [](const Exact& in) {
+       const Q j = sheet_friction_impulse<Q>(in.m, in.e, in.mu, in.m_B, in.h);
+       return in.h - j / in.m == Q(0) ? j <= in.e * in.m_B : j == in.mu * in.m_B;
+     }},
+    {"friction.sheet_literal", "zero without slip, mu_d j_r with any",
+     [](const Exact& in) {
+       return sheet_literal_friction_impulse<Q>(in.mu, in.m, Q(0)) == Q(0) && sheet_literal_friction_impulse<Q>(in.mu, in.m, in.h) == in.mu * in.m;
+     }},
+    {"friction.stronge_planar", "with Poisson's ending: inside the cone, energy never rises, no slip where it sticks", planar_holds},
     {"friction.tangent", "the slip's direction; the force's where there is no slip; else zero",
      [](const Exact& in) {
        const V n = in.R_WB.col(0), t = in.R_WB.col(1), s = in.R_WB.col(2);

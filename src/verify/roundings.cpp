@@ -2,6 +2,7 @@
 #include <rigor/base/interrupt.hpp>
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
@@ -88,6 +89,8 @@ std::vector<Rounding> roundings(const std::string& only, long cases, std::uint64
     return flat<T>(sum.f_W, sum.tau_W);
   });
   field("force.torque", 2, []<class T>(const Inputs<T>& in) { return flat<T>(torque_of_force<T>(in.p_BC_W, in.f_W)); });
+  field("friction.sheet", 1, []<class T>(const Inputs<T>& in) { return flat<T>(sheet_friction_impulse<T>(in.m, in.e, in.mu, in.m_B, in.h)); });
+  field("friction.sheet_literal", 1, []<class T>(const Inputs<T>& in) { return flat<T>(sheet_literal_friction_impulse<T>(in.mu, in.m, in.m_B)); });
   rooted("friction.tangent", 10, []<class T>(const Inputs<T>& in) { return flat<T>(friction_tangent<T>(in.v_WB, in.f_W, in.n_W)); });
   field("impulse.apply", 6, []<class T>(const Inputs<T>& in) {
     const Velocity<T> after = apply_impulse<T>(in.A, in.u.A, in.j_W);
@@ -99,7 +102,7 @@ std::vector<Rounding> roundings(const std::string& only, long cases, std::uint64
   });
   field("impulse.effective_mass", 8, []<class T>(const Inputs<T>& in) { return flat<T>(effective_inverse_mass<T>(in.A, in.B)); });
   field("impulse.normal", 3, []<class T>(const Inputs<T>& in) { return flat<T>(normal_impulse<T>(in.e, in.v_WB[0], in.m)); });
-  field("impulse.normal_effective_mass", 11, []<class T>(const Inputs<T>& in) { return flat<T>(normal_inverse_mass<T>(in.A, in.B, in.n_W)); });
+  field("impulse.normal_effective_mass", 12, []<class T>(const Inputs<T>& in) { return flat<T>(normal_inverse_mass<T>(in.A, in.B, in.n_W)); });
   field("impulse.normal_printed", 3, []<class T>(const Inputs<T>& in) { return flat<T>(normal_impulse_printed<T>(in.e, in.v_WB[0], in.m)); });
   field("impulse.relative_velocity", 4, []<class T>(const Inputs<T>& in) { return flat<T>(relative_velocity<T>(in.A, in.B, in.u)); });
   field("inertia.cuboid", 4, []<class T>(const Inputs<T>& in) { return flat<T>(cuboid_inertia<T>(in.m, in.s_B)); });
