@@ -140,6 +140,47 @@ TEST(FreeBody, GslRefusesWhatItsFormDoesNotCover) {
   EXPECT_FALSE(gsl_free_body({{1, 2, 3}, {0, 2, 0}, identity3<double>()}, 1));
 }
 
+// case FB-07: L^2 = 2 T I2 exactly (rational data: I = (1, 3, 6), w = (3/2, 7/10, 1/2)): the spin runs into the middle
+// axis as tanh, the other two components as sech.
+TEST(Taylor, FollowsTheSeparatrix) {
+  const P I1 = 1, I2 = 3, I3 = 6;
+  const Vec3<P> w0(P(3) / 2, P(7) / 10, P(1) / 2);
+  const P L2 = I1 * I1 * w0[0] * w0[0] + I2 * I2 * w0[1] * w0[1] + I3 * I3 * w0[2] * w0[2];
+  ASSERT_LT(gap(L2, I2 * (I1 * w0[0] * w0[0] + I2 * w0[1] * w0[1] + I3 * w0[2] * w0[2])), 1e-55);
+  const P L = sqrt(L2), rate = L / I2 * sqrt((I2 - I1) * (I3 - I2) / (I1 * I3));
+  const P A1 = sqrt(L2 * (I3 - I2) / (I1 * I2 * (I3 - I1))), A3 = sqrt(L2 * (I2 - I1) / (I3 * I2 * (I3 - I1)));
+  const P t = 2, start = atanh(w0[1] * I2 / L), tau = start + rate * t;  // w2' = (I3 - I1)/I2 w1 w3 > 0 here
+  const Attitude<P> end = taylor_free_body<P>(Vec3<P>(I1, I2, I3), w0, identity3<P>(), t);
+  EXPECT_LT(gap(end.w_B[1], L / I2 * tanh(tau)), 1e-40);
+  EXPECT_LT(gap(end.w_B[0], A1 / cosh(tau)), 1e-40);
+  EXPECT_LT(gap(end.w_B[2], A3 / cosh(tau)), 1e-40);
+}
+
+// cases P-01, P-02: impact after impact with e = 0.8, each located and restarted; the times are t1 (1 + 2e + 2e^2 + ...),
+// and what is left after n impacts is t1 2 e^n/(1 - e): the bound of a cut tail.
+TEST(Events, FollowABouncingBodyTowardsItsAccumulation) {
+  const double e = 0.8, g = 9.81, t1 = std::sqrt(2 / g), total = t1 * (1 + e) / (1 - e);
+  EXPECT_NEAR(total, 4.063712768871578140, 1e-14);
+  const Rhs fall = [](double, std::span<const double> y, std::span<double> d) { d[0] = y[1], d[1] = -9.81; };
+  const auto height = [](double, std::span<const double> y) { return y[0]; };
+  const double known[3] = {0.4515236409857309045, 1.173961466562900352, 1.751911727024635909};
+  double t = 0, sum = 0, power = 1;
+  std::vector<double> y{1, 0};
+  for (int n = 0; n < 12; ++n) {
+    const auto hit = first_fall(fall, height, y, 0, 2, 1e-13);
+    ASSERT_TRUE(hit) << n;
+    t += hit->t;
+    sum += n == 0 ? t1 : 2 * t1 * power;
+    if (n < 3) {
+      EXPECT_NEAR(t, known[n], 1e-12);
+    }
+    EXPECT_NEAR(t, sum, 1e-11) << n;
+    power *= e;
+    EXPECT_NEAR(total - sum, 2 * t1 * power / (1 - e), 1e-13);
+    y = {0, -e * hit->y[1]};
+  }
+}
+
 // case P-01: first impact of a drop from H = 1; case P-07: a spinning slab's first touch.
 TEST(Events, AreFoundAtTheirTime) {
   const Rhs fall = [](double, std::span<const double> y, std::span<double> d) { d[0] = y[1], d[1] = -9.81; };
