@@ -1,4 +1,5 @@
 #include <rigor/cli/audit.hpp>
+#include <rigor/cli/class.hpp>
 #include <rigor/cli/commands.hpp>
 #include <rigor/cli/demo.hpp>
 #include <rigor/cli/explain.hpp>
@@ -12,6 +13,7 @@ namespace rigor::cli {
 void add_commands(CLI::App& app, int& exit_status) {
   add_demo(app, exit_status);
   add_grade(app, exit_status);
+  add_class(app, exit_status);
   add_audit(app, exit_status);
   add_run(app, exit_status);
   add_study(app, exit_status);

@@ -196,6 +196,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   if (!built) return built.fault();
   Report report;
   report.rubric_title = rubric.title;
+  report.rubric_hash = rubric.hash();
   report.submission = submission.name;
   report.submission_hash = submission.hash;
   report.seed = rubric.seed;

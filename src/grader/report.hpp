@@ -40,7 +40,7 @@ struct CheckResult {
 
 /// Everything that is known about one graded submission; every format is written from this.
 struct Report {
-  std::string tool, rubric_title;
+  std::string tool, rubric_title, rubric_hash;
   std::string submission, submission_path, submission_hash;
   std::uint64_t seed = 0;
   int cases = 0;

@@ -34,6 +34,7 @@ std::string report_json(const Report& report) {
   Json json{{"schema", "rigor.report/1"},
             {"tool", report.tool},
             {"rubric", report.rubric_title},
+            {"rubric_hash", report.rubric_hash},
             {"submission", {{"name", report.submission}, {"path", report.submission_path}, {"hash", report.submission_hash}}},
             {"seed", report.seed},
             {"cases", report.cases},

@@ -106,6 +106,19 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
 
 }  // namespace
 
+std::string Rubric::hash() const {
+  std::ostringstream all;
+  all.precision(17);
+  all << seed << ' ' << cases << ' ' << tolerance << ' ' << limits.call_s << ' ' << limits.total_s << ' ' << limits.memory_bytes << ' ' << limits.output_bytes;
+  for (const Check& check : checks()) all << ' ' << check.id << '=' << points_of(check);
+  for (const std::string& id : accepted) all << " +" << id;
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a: names a rubric, guards against nothing
+  for (const char c : all.str()) hash = (hash ^ std::uint8_t(c)) * 1099511628211u;
+  std::ostringstream hex;
+  hex << std::hex << hash;
+  return hex.str();
+}
+
 Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name) {
   try {
     return from_table(toml::parse(text, name), name);

@@ -20,6 +20,8 @@ struct Rubric {
   std::map<std::string, double> points;    ///< by check id
   std::set<std::string> accepted;          ///< misconceptions that count as right: "plane.printed-restitution"
 
+  /// Changes with everything that could change a grade.
+  std::string hash() const;
   double points_of(const Check& check) const {
     const auto it = points.find(check.id);
     return it == points.end() ? check.points : it->second;

@@ -1,0 +1,99 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/cli/class.hpp>
+#include <rigor/grader/class_run.hpp>
+#include <thread>
+
+namespace rigor::cli {
+namespace {
+
+struct Options {
+  std::string directory, rubric, out = "out/class";
+  int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+  std::uint64_t seed = 0;
+  int cases = 0;
+  bool fresh = false, quiet = false;
+};
+
+int bad_input(const std::string& text) {
+  std::fprintf(stderr, "rigor class: %s\n", text.c_str());
+  return 2;
+}
+
+// "[#####.....] 12 of 100, 1:20 left", on a terminal only.
+class Progress {
+ public:
+  explicit Progress(bool shown) : shown_(shown) {}
+  void operator()(int done, int all) const {
+    if (!shown_) return;
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const int left = int(spent / done * (all - done));
+    std::string bar(30, '.');
+    bar.replace(0, std::size_t(30 * done / all), std::size_t(30 * done / all), '#');
+    std::fprintf(stderr, "\r[%s] %d of %d, %d:%02d left ", bar.c_str(), done, all, left / 60, left % 60);
+    if (done == all) std::fputc('\n', stderr);
+  }
+
+ private:
+  bool shown_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+int class_command(const Options& options) {
+  const auto entries = grader::read_roster(options.directory);
+  if (!entries) return bad_input(entries.fault().text());
+  grader::Rubric rubric;
+  if (!options.rubric.empty()) {
+    const auto read = grader::read_rubric(options.rubric);
+    if (!read) return bad_input(read.fault().text());
+    rubric = *read;
+  }
+  if (options.seed != 0) rubric.seed = options.seed;
+  if (options.cases != 0) rubric.cases = options.cases;
+  grader::ClassOptions run;
+  run.out = options.out;
+  run.jobs = options.jobs;
+  run.fresh = options.fresh;
+  run.tool = "rigor " RIGOR_VERSION;
+  const Progress progress(isatty(STDERR_FILENO) != 0 && !options.quiet);
+  run.progress = [&](int done, int all) { progress(done, all); };
+  const auto rows = grader::grade_class(*entries, rubric, run);
+  const std::filesystem::path out = options.out;
+  for (const auto& [name, text] : {std::pair{"scores.csv", grader::scores_csv(rows)}, std::pair{"matrix.csv", grader::matrix_csv(rows)},
+                                   std::pair{"class.html", grader::class_html(rows, rubric)}})
+    if (const auto written = write_file(out / name, text); !written) return bad_input(written.fault().text());
+  int graded = 0, reused = 0;
+  for (const auto& r : rows) {
+    graded += r.trouble.empty();
+    reused += r.reused;
+    if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", r.entry.student.c_str(), r.trouble.c_str());
+  }
+  if (!options.quiet) std::printf("%d of %zu graded (%d unchanged since last time): %s\n", graded, rows.size(), reused, (out / "class.html").string().c_str());
+  if (interrupted() != 0) return 128 + interrupted();
+  return graded == int(rows.size()) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_class(CLI::App& app, int& exit_status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("class", "grade a directory of submissions: scores.csv, matrix.csv, class.html");
+  command->add_option("DIR", options->directory, "one directory for each student (also Autolab, Canvas, Gradescope names)")->required();
+  command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
+  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
+  command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
+  command->add_option("--jobs", options->jobs, "submissions at a time; all processors by default")->check(CLI::Range(1, 256));
+  command->add_option("--out", options->out, "where reports and tables go")->capture_default_str();
+  command->add_flag("--fresh", options->fresh, "grade again what has not changed");
+  command->add_flag("--quiet", options->quiet, "print nothing but trouble");
+  command->footer("Example:  rigor class submissions --out graded");
+  command->callback([options, &exit_status] { exit_status = class_command(*options); });
+}
+
+}  // namespace rigor::cli

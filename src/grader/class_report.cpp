@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <rigor/grader/class_run.hpp>
+#include <rigor/report/html.hpp>
+#include <rigor/report/plot.hpp>
+
+namespace rigor::grader {
+namespace {
+
+using report::escape;
+
+std::string brief(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+// RFC 4180; a cell that a spreadsheet would take for a formula is made a text.
+std::string cell(std::string text) {
+  if (!text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos) text = "'" + text;
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+std::vector<std::string> failed_checks(const ClassRow& row) {
+  std::vector<std::string> ids;
+  for (const auto& [id, verdict] : row.verdicts)
+    if (verdict != "pass" && find_check(id) != nullptr && find_check(id)->points > 0) ids.push_back(id);
+  return ids;
+}
+template <class Map>
+std::vector<std::pair<std::string, int>> most_frequent(const Map& counts) {
+  std::vector<std::pair<std::string, int>> list(counts.begin(), counts.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return list;
+}
+
+std::string histogram(const std::vector<ClassRow>& rows) {
+  report::Bars bars{"Scores of the class", "percent of the points", "students", {}, std::vector<double>(11, 0)};
+  for (int k = 0; k < 10; ++k) bars.labels.push_back(std::to_string(10 * k) + "-");
+  bars.labels.push_back("100");
+  for (const ClassRow& r : rows)
+    if (r.trouble.empty() && r.max_score > 0) ++bars.values[std::size_t(std::clamp(int(std::floor(10 * r.score / r.max_score)), 0, 10))];
+  return report::figure(bars);
+}
+
+// Students whose failures have the same numbers to the last digit.
+std::string same_numbers(const std::vector<ClassRow>& rows) {
+  std::map<std::string, std::vector<std::string>> groups;
+  for (const ClassRow& r : rows)
+    if (!r.fingerprint.empty()) groups[r.fingerprint].push_back(r.entry.student);
+  std::vector<std::vector<std::string>> table;
+  for (const auto& [print, students] : groups) {
+    if (students.size() < 2) continue;
+    std::string names;
+    for (const std::string& s : students) names += (names.empty() ? "" : ", ") + s;
+    table.push_back({std::to_string(students.size()), names});
+  }
+  if (table.empty()) return "<p>None.</p>";
+  return report::table({"students", "who"}, table, {0}) +
+         "<p class=\"soft\">The same wrong numbers to the last digit: two people who make one simple mistake share them too. Right code always has the same numbers; it is no evidence of anything.</p>";
+}
+
+}  // namespace
+
+std::string scores_csv(const std::vector<ClassRow>& rows) {
+  std::vector<std::string> groups;
+  for (const Check& check : checks())
+    if (groups.empty() || groups.back() != check.group) groups.push_back(check.group);
+  std::string out = "student,score,max_score";
+  for (const std::string& g : groups) out += "," + cell(g);
+  out += ",version,versions,late,trouble\n";
+  for (const ClassRow& r : rows) {
+    out += cell(r.entry.student) + "," + (r.trouble.empty() ? brief(r.score) + "," + brief(r.max_score) : ",");
+    for (const std::string& g : groups) {
+      double sum = 0;
+      for (const Check& check : checks())
+        if (check.group == g && r.points.count(check.id) != 0) sum += r.points.at(check.id);
+      out += "," + (r.trouble.empty() ? brief(sum) : "");
+    }
+    out += "," + std::to_string(r.entry.version) + "," + std::to_string(r.entry.versions) + "," + (r.entry.late ? "yes" : "") + "," + cell(r.trouble) + "\n";
+  }
+  return out;
+}
+
+std::string matrix_csv(const std::vector<ClassRow>& rows) {
+  std::string out = "student";
+  for (const Check& check : checks()) out += "," + check.id;
+  out += "\n";
+  for (const ClassRow& r : rows) {
+    out += cell(r.entry.student);
+    for (const Check& check : checks()) out += "," + (r.verdicts.count(check.id) != 0 ? r.verdicts.at(check.id) : "");
+    out += "\n";
+  }
+  return out;
+}
+
+std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassRow>& rows) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const ClassRow& a : rows)
+    for (const ClassRow& b : rows) {
+      if (!a.trouble.empty() || !b.trouble.empty() || !(a.score > b.score)) continue;
+      const auto more = failed_checks(a), fewer = failed_checks(b);
+      if (more.size() > fewer.size() && std::includes(more.begin(), more.end(), fewer.begin(), fewer.end())) pairs.push_back({a.entry.student, b.entry.student});
+    }
+  return pairs;
+}
+
+std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric) {
+  report::Page page;
+  std::map<std::string, int> failures, named;
+  std::vector<double> scores;
+  std::vector<std::vector<std::string>> trouble, table;
+  std::string list = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"students\"><table><thead><tr><th scope=\"col\">student</th><th scope=\"col\" class=\"n\">points</th><th scope=\"col\">failed checks</th><th scope=\"col\">named</th><th scope=\"col\">remarks</th></tr></thead><tbody>\n";
+  for (const ClassRow& r : rows) {
+    if (!r.trouble.empty()) {
+      trouble.push_back({r.entry.student, r.trouble});
+      continue;
+    }
+    scores.push_back(r.score);
+    std::string checks_text, named_text;
+    for (const std::string& id : failed_checks(r)) ++failures[id], checks_text += (checks_text.empty() ? "" : ", ") + id;
+    for (const std::string& id : r.diagnoses) ++named[id], named_text += (named_text.empty() ? "" : ", ") + id;
+    const std::string remarks = std::string(r.entry.late ? "late " : "") + (r.entry.versions > 1 ? "version " + std::to_string(r.entry.version) + " of " + std::to_string(r.entry.versions) : "");
+    list += "<tr><td><a href=\"" + escape(safe_name(safe_name(r.entry.student))) + "/report.html\">" + escape(r.entry.student) + "</a></td><td class=\"n\">" + brief(r.score) +
+            "</td><td>" + escape(checks_text) + "</td><td>" + escape(named_text) + "</td><td>" + escape(remarks) + "</td></tr>\n";
+  }
+  list += "</tbody></table></div>\n";
+  std::sort(scores.begin(), scores.end());
+  page.title = rubric.title + ": a class of " + std::to_string(rows.size());
+  double sum = 0;
+  for (const double s : scores) sum += s;
+  if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(sum / double(scores.size())) + ", median " + brief(scores[scores.size() / 2]) + " points.";
+  page.body = histogram(rows);
+  if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble);
+  const auto counted = [](const auto& counts) {
+    std::vector<std::vector<std::string>> lines;
+    for (const auto& [id, n] : most_frequent(counts)) lines.push_back({id, std::to_string(n)});
+    return lines;
+  };
+  page.body += "<h2>Most failed checks</h2>" + report::table({"check", "students"}, counted(failures), {1});
+  page.body += "<h2>Misconceptions</h2>" + report::table({"named", "students"}, counted(named), {1});
+  page.body += "<h2>The same wrong numbers</h2>" + same_numbers(rows);
+  const auto pairs = unfair(rows);
+  page.body += "<h2>Fairness</h2><p>" + (pairs.empty() ? "Nobody who failed everything another failed, and more, has more points than the other."
+                                                       : escape(pairs.front().first + " failed more than " + pairs.front().second + " and has more points: " + std::to_string(pairs.size()) + " such pairs")) + "</p>";
+  page.body += "<h2>Students</h2>" + list;
+  page.footer = "seed " + std::to_string(rubric.seed) + ", " + std::to_string(rubric.cases) + " cases a check, rubric " + rubric.hash();
+  return report::render(page);
+}
+
+}  // namespace rigor::grader

@@ -1,0 +1,108 @@
+#include <atomic>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/grader/class_run.hpp>
+#include <set>
+#include <thread>
+
+namespace rigor::grader {
+namespace {
+
+// nullopt: no report, or one that cannot be read.
+std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const Entry& entry) {
+  const auto text = read_file(report_json);
+  if (!text) return std::nullopt;
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object() || json.value("schema", "") != "rigor.report/1") return std::nullopt;
+  ClassRow row;
+  row.entry = entry;
+  try {
+    row.score = json.at("score");
+    row.max_score = json.at("max_score");
+    row.tool = json.at("tool");
+    row.rubric_hash = json.at("rubric_hash");
+    row.submission_hash = json.at("submission").at("hash");
+    std::set<std::string> named;
+    for (const auto& check : json.at("checks")) {
+      const std::string id = check.at("id"), verdict = check.at("verdict");
+      row.points[id] = check.at("points");
+      row.verdicts[id] = verdict;
+      if (verdict == "pass" || check.at("max_points") == 0) continue;
+      if (verdict == "fail") row.fingerprint += id + "=" + check.at("worst_ratio").dump() + ";";
+      for (const auto& d : check.at("diagnosis"))
+        if (d.at("id") != "relation") named.insert(d.at("id").get<std::string>());
+    }
+    row.diagnoses.assign(named.begin(), named.end());
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+  return row;
+}
+
+ClassRow troubled(const Entry& entry, const std::string& why) {
+  ClassRow row;
+  row.entry = entry;
+  row.trouble = why;
+  return row;
+}
+
+ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOptions& options) {
+  const std::filesystem::path dir = options.out / safe_name(entry.student);
+  const auto submission = open_submission(entry.path);
+  if (!submission) return troubled(entry, submission.fault().text());
+  if (!options.fresh)
+    if (auto old = row_from(dir / "report.json", entry);
+        old && old->tool == options.tool && old->rubric_hash == rubric.hash() && old->submission_hash == submission->hash) {
+      old->reused = true;
+      return *old;
+    }
+  auto graded = grade(*submission, rubric, {}, {});
+  if (!graded) return troubled(entry, graded.fault().text());
+  if (interrupted() != 0) return troubled(entry, "interrupted");
+  Report report = *graded;
+  report.tool = options.tool;
+  report.submission = entry.student;
+  report.submission_path = entry.path.string();
+  for (const auto& [name, text] : {std::pair{"report.html", report_html(report)}, std::pair{"report.txt", report_text(report, false)},
+                                   std::pair{"report.json", report_json(report)}})  // json last: it marks the rest as whole
+    if (const auto written = write_file(dir / name, text); !written) return troubled(entry, written.fault().text());
+  const auto row = row_from(dir / "report.json", entry);
+  return row ? *row : troubled(entry, "its report cannot be read back");
+}
+
+}  // namespace
+
+std::string safe_name(const std::string& student) {
+  std::string out;
+  for (const char c : student) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '@' || (c == '.' && !out.empty());
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", unsigned(static_cast<unsigned char>(c)));
+    out += plain ? std::string(1, c) : code;
+  }
+  return out;
+}
+
+std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubric& rubric, const ClassOptions& options) {
+  std::vector<ClassRow> rows(entries.size());
+  std::atomic<std::size_t> next{0};
+  int done = 0;
+  std::mutex mutex;
+  checks();  // built once, before the threads
+  {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < options.jobs; ++k)
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < entries.size(); i = next++) {
+          rows[i] = interrupted() != 0 ? troubled(entries[i], "interrupted") : grade_entry(entries[i], rubric, options);
+          const std::lock_guard lock(mutex);
+          options.progress(++done, int(entries.size()));
+        }
+      });
+  }
+  return rows;
+}
+
+}  // namespace rigor::grader

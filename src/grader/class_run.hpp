@@ -1,0 +1,45 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <rigor/grader/judge.hpp>
+#include <rigor/grader/roster.hpp>
+
+namespace rigor::grader {
+
+/// One line of a class: read back from the student's report.json, so that a resumed run shows what a fresh one would.
+struct ClassRow {
+  Entry entry;
+  std::string trouble;                           ///< why it could not be graded; "" when it was
+  double score = 0, max_score = 0;
+  std::map<std::string, double> points;          ///< by check id
+  std::map<std::string, std::string> verdicts;   ///< by check id
+  std::vector<std::string> diagnoses;            ///< misconception ids
+  std::string fingerprint;                       ///< the worst ratios of the failed checks, to all digits; "" with none
+  std::string tool, rubric_hash, submission_hash;
+  bool reused = false;                           ///< taken from an earlier run
+};
+
+struct ClassOptions {
+  std::filesystem::path out;
+  int jobs = 1;
+  bool fresh = false;                            ///< grade again what has a report already
+  std::string tool;
+  std::function<void(int done, int all)> progress = [](int, int) {};
+};
+
+/// Grades every entry into `out`/STUDENT/ (report.json, report.html, report.txt). A submission whose report was made by
+/// the same tool with the same rubric from the same files is not graded again. One bad submission never stops the
+/// others; an interrupt leaves whole files, and the next run goes on.
+std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubric& rubric, const ClassOptions& options);
+
+std::string scores_csv(const std::vector<ClassRow>& rows);
+std::string matrix_csv(const std::vector<ClassRow>& rows);
+std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric);
+
+/// Pairs (a, b): a failed everything b failed and more, yet has more points. Empty when grading is fair.
+std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassRow>& rows);
+
+/// A student's name as a directory name: letters, digits, . _ - @ stay, the rest becomes %XX.
+std::string safe_name(const std::string& student);
+
+}  // namespace rigor::grader
