@@ -1,0 +1,37 @@
+// One step of the assignment's program at N cuboids: spread out over a floor (no pairs meet), as the sheet's stepper does it.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/simulate.hpp>
+
+namespace {
+using namespace rigor;
+
+Scene spread(int n) {
+  Scene s;
+  const int side = int(std::ceil(std::sqrt(double(n))));
+  for (int i = 0; i < n; ++i) {
+    State<double> start;
+    start.p_WB = Vec3<double>(4 * (i % side), 1.5, 4 * (i / side));
+    start.R_WB = rotation_of<double>(Vec4<double>(9, 1, -1, 2));
+    start.w_WB = Vec3<double>(0.3, 1, -0.2);
+    s.bodies.push_back({*Cuboid<double>::make(2.5, {0.7, 1.1, 1.9}), start});
+  }
+  s.planes.push_back(*Plane<double>::make({0, 0, 0}, {0, 1, 0}));
+  s.surface = *Surface<double>::make(0.5, 0.5, 0.3);
+  return s;
+}
+
+void sheet_step(benchmark::State& state) {
+  const int n = int(state.range(0)), steps = 2400 / n + 20;
+  Scene s = spread(n);
+  s.until = steps * s.dt;
+  s.every = s.until;
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(s, [](double, const std::vector<State<double>>&) {}).ledger.impacts);
+  state.counters["ns_per_step"] = benchmark::Counter(double(steps) * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_per_body_step"] = benchmark::Counter(double(steps) * n * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(sheet_step)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
