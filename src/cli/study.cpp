@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
@@ -26,13 +27,13 @@ int bad_input(const std::string& text) {
 int study_command(const Options& options) {
   if (options.kind != "convergence" && options.kind != "work-precision")
     return bad_input("there is no study '" + options.kind + "'" + did_you_mean(options.kind, {"convergence", "work-precision"}) + "; there are convergence, work-precision");
-  std::vector<std::string> problem_names, method_names;
-  for (const auto& p : studies::problems()) problem_names.push_back(p.name);
+  const std::vector<std::string> problem_names = studies::problem_names();
+  std::vector<std::string> method_names;
   for (const Method& m : methods()) method_names.push_back(std::string(m.name));
   const auto chosen = [](const std::vector<std::string>& asked, const std::vector<std::string>& standard) { return asked.empty() ? standard : asked; };
   std::vector<studies::Ladder> ladders;
   for (const std::string& name : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
-    if (studies::find_problem(name) == nullptr) return bad_input("--problem: there is no problem '" + name + "'" + did_you_mean(name, problem_names));
+    if (std::find(problem_names.begin(), problem_names.end(), name) == problem_names.end()) return bad_input("--problem: there is no problem '" + name + "'" + did_you_mean(name, problem_names));
   for (const std::string& name : options.methods)
     if (find_method(name) == nullptr) return bad_input("--method: there is no method '" + name + "'" + did_you_mean(name, method_names));
   const int repeats = options.kind == "work-precision" ? 5 : 1;

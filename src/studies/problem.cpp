@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <reference/sundials.hpp>
 #include <reference/taylor.hpp>
 #include <rigor/base/promise.hpp>
@@ -80,23 +81,45 @@ double kinetic(const Problem& p, const State<double>& s) {
 
 }  // namespace
 
-const std::vector<Problem>& problems() {
-  static const std::vector<Problem> all = [] {
-    const Cuboid<double> plate = cuboid(1, {1, 2, 3});
-    return std::vector<Problem>{
-        free_flight("case-A", "free flight of a cuboid 1 x 2 x 3 m, 1 kg, spin (0.3, 2, 0.2) rad/s in body axes: tumbling near the unstable axis, T = 10 s", plate, V(0.3, 2, 0.2), 10),
-        free_flight("case-B", "the same cuboid, spin (5, 0.01, 0.01) rad/s: about the stable axis, T = 10 s", plate, V(5, 0.01, 0.01), 10),
-        free_flight("case-C", "the same cuboid, spin (1e-6, 2, 1e-6) rad/s: next to the separatrix, errors grow 1.5e4 times by T = 10 s", plate, V(1e-6, 2, 1e-6), 10),
-        free_flight("short-A", "case A up to T = 1 s, where first-order methods are asymptotic", plate, V(0.3, 2, 0.2), 1),
-        free_flight("fb-05", "the public box, 0.1 x 0.4 x 0.9 m, 10 kg, spin (0.1, 5, 0.1) rad/s, T = 10 s", cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), 10),
-        thrown(), forced()};
-  }();
-  return all;
+namespace {
+
+struct Recipe {
+  const char* name;
+  Problem (*make)(const std::string& name);
+};
+const Cuboid<double> plate = cuboid(1, {1, 2, 3});
+constexpr Recipe recipes[] = {
+    {"case-A", [](const std::string& name) {
+       return free_flight(name, "free flight of a cuboid 1 x 2 x 3 m, 1 kg, spin (0.3, 2, 0.2) rad/s in body axes: tumbling near the unstable axis, T = 10 s", plate, V(0.3, 2, 0.2), 10);
+     }},
+    {"case-B", [](const std::string& name) { return free_flight(name, "the same cuboid, spin (5, 0.01, 0.01) rad/s: about the stable axis, T = 10 s", plate, V(5, 0.01, 0.01), 10); }},
+    {"case-C", [](const std::string& name) {
+       return free_flight(name, "the same cuboid, spin (1e-6, 2, 1e-6) rad/s: next to the separatrix, errors grow 1.5e4 times by T = 10 s", plate, V(1e-6, 2, 1e-6), 10);
+     }},
+    {"short-A", [](const std::string& name) { return free_flight(name, "case A up to T = 1 s, where first-order methods are asymptotic", plate, V(0.3, 2, 0.2), 1); }},
+    {"fb-05", [](const std::string& name) {
+       return free_flight(name, "the public box, 0.1 x 0.4 x 0.9 m, 10 kg, spin (0.1, 5, 0.1) rad/s, T = 10 s", cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), 10);
+     }},
+    {"thrown", [](const std::string&) { return thrown(); }},
+    {"forced", [](const std::string&) { return forced(); }},
+};
+
+}  // namespace
+
+std::vector<std::string> problem_names() {
+  std::vector<std::string> names;
+  for (const Recipe& r : recipes) names.push_back(r.name);
+  return names;
 }
 
 const Problem* find_problem(const std::string& name) {
-  for (const Problem& p : problems())
-    if (p.name == name) return &p;
+  static std::map<std::string, Problem> made;
+  for (const Recipe& r : recipes)
+    if (name == r.name) {
+      auto it = made.find(name);
+      if (it == made.end()) it = made.emplace(name, r.make(name)).first;
+      return &it->second;
+    }
   return nullptr;
 }
 

@@ -21,8 +21,8 @@ struct Problem {
 };
 
 /// The catalogue: free flight A, B, C, the public box FB-05, a thrown body, a forced body.
-const std::vector<Problem>& problems();
-/// nullptr when there is none of that name.
+std::vector<std::string> problem_names();
+/// nullptr when there is none of that name. The reference is computed at the first call (up to a second).
 const Problem* find_problem(const std::string& name);
 
 /// Distance of a computed end from the reference.

@@ -1,0 +1,144 @@
+// The program as its user meets it: exit statuses, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <rigor/base/file.hpp>
+#include <rigor/cli/explain.hpp>
+#include <string>
+
+namespace rigor {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+  int status;
+  std::string text;  // stdout and stderr
+};
+Ran rigor_says(const std::string& arguments) {
+  const std::string command = std::string(RIGOR_BINARY_DIR) + "/rigor " + arguments + " 2>&1 </dev/null";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Ran ran{0, ""};
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ran.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return ran;
+}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir = fs::temp_directory_path() / ("rigor-program-test-" + std::to_string(::getpid()));
+    fs::create_directories(dir);
+  }
+  void TearDown() override { fs::remove_all(dir); }
+  std::string file(const std::string& name, const std::string& text) {
+    EXPECT_TRUE(write_file(dir / name, text));
+    return (dir / name).string();
+  }
+  fs::path dir;
+};
+
+TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
+  const Ran top = rigor_says("--help");
+  EXPECT_EQ(top.status, 0);
+  for (const char* command : {"demo", "grade", "class", "audit", "run", "study", "verify", "explain"}) {
+    EXPECT_TRUE(contains(top.text, command));
+    const Ran help = rigor_says(std::string(command) + " --help");
+    EXPECT_EQ(help.status, 0) << command;
+    EXPECT_TRUE(contains(help.text, std::string("Example:  rigor ") + command)) << help.text;
+  }
+}
+
+TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"exlain", "did you mean 'explain'?"},
+      {"explain impulse.norml", "did you mean 'impulse.normal'?"},
+      {"verify --id inertia.cubiod", "did you mean 'inertia.cuboid'?"},
+      {"verify --cases 0", "not in range"},
+      {"run assignmnt", "did you mean 'assignment'?"},
+      {"run", "SCENE is required"},
+      {"run drop --method shet", "did you mean 'sheet'?"},
+      {"run drop --dt 0", "--dt is 0, must be > 0 s"},
+      {"run drop --dt nan", "--dt"},
+      {"run drop --until -1", "--until is -1, must be >= 0 s"},
+      {"study convergnce", "did you mean 'convergence'?"},
+      {"study convergence --problem case-D", "did you mean 'case-A'?"},
+      {"study convergence --method rk5", "did you mean 'rk4'?"},
+      {"grade", "a submission directory is missing"},
+      {"grade /nowhere", "/nowhere"},
+      {"grade /nowhere --check moi.bodi", "did you mean 'moi.body'?"},
+      {"grade /nowhere --rubric /nowhere.toml", "/nowhere.toml does not exist"},
+      {"grade /nowhere --format pdf", "is none of text, json, html"},
+      {"class /nowhere", "is not a directory"},
+      {"--nonsense", "is required"},
+      {"", "is required"},
+  };
+  for (const auto& [arguments, says] : wrong) {
+    const Ran ran = rigor_says(arguments);
+    EXPECT_EQ(ran.status, 2) << arguments << "\n" << ran.text;
+    EXPECT_TRUE(contains(ran.text, says)) << arguments << "\n" << ran.text;
+  }
+}
+
+TEST_F(Program, RefusesBrokenScenesAndLeavesNothingBehind) {
+  for (const std::string& text : {std::string("{\"cuboids\": ["), std::string("\0\1\2\xff", 4), std::string("{\"cuboids\": [], \"gravty\": [0,0,0]}"), std::string(300000, '[')}) {
+    const Ran ran = rigor_says("run " + file("scene.json", text) + " --out " + (dir / "out").string());
+    EXPECT_EQ(ran.status, 2) << ran.text;
+    EXPECT_TRUE(contains(ran.text, "scene.json")) << ran.text;
+    EXPECT_FALSE(fs::exists(dir / "out"));
+  }
+}
+
+TEST_F(Program, GradesNothingGradableWithStatusTwo) {
+  fs::create_directories(dir / "empty");
+  EXPECT_EQ(rigor_says("grade " + (dir / "empty").string()).status, 2);
+  file("other/notes.txt", "no code here");
+  EXPECT_EQ(rigor_says("grade " + (dir / "other").string()).status, 2);
+}
+
+TEST_F(Program, WritesWholeFilesAndTheSameOnesTwice) {
+  EXPECT_EQ(rigor_says("run tumble --until 1 --out " + (dir / "a").string()).status, 0);
+  EXPECT_EQ(rigor_says("run tumble --until 1 --out " + (dir / "b").string() + " --quiet").text, "");
+  EXPECT_EQ(*read_file(dir / "a" / "trajectory.csv"), *read_file(dir / "b" / "trajectory.csv"));
+  const auto summary = nlohmann::json::parse(*read_file(dir / "a" / "summary.json"));
+  for (const char* key : {"energy", "linear_momentum", "angular_momentum", "impacts", "skips", "handed_over", "wall_s"}) EXPECT_TRUE(summary.contains(key)) << key;
+}
+
+TEST_F(Program, SaysWhenItCannotWrite) {
+  const std::string blocked = file("blocked", "a file where a directory is wanted");
+  const Ran ran = rigor_says("run tumble --until 0.1 --out " + blocked);
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_TRUE(contains(ran.text, "cannot be written")) << ran.text;
+}
+
+TEST_F(Program, PrintsJsonThatParses) {
+  for (const char* arguments : {"explain --json", "explain impulse.normal --json", "verify --id impulse.normal --cases 50 --json", "run drop --until 0.1 --json",
+                                "study convergence --problem short-A --method sheet --rungs 3 --json", "audit --seeds 1 --cases 2 --json"})
+    EXPECT_TRUE(nlohmann::json::accept(rigor_says(arguments).text)) << arguments;
+}
+
+TEST_F(Program, ExplainsAFormulaWithEverythingThatIsKnownOfIt) {
+  const Ran ran = rigor_says("explain impulse.normal");
+  EXPECT_EQ(ran.status, 0);
+  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "EXACT TESTS"}) EXPECT_TRUE(contains(ran.text, part)) << part;
+  EXPECT_FALSE(contains(ran.text, "\x1b")) << "colour escapes in a pipe";
+}
+
+TEST(Explain, FindsADerivationForEveryFormula) {
+  for (const std::string& id : cli::formula_ids(cli::texts())) {
+    const auto e = cli::explain(cli::texts(), id);
+    ASSERT_TRUE(e);
+    EXPECT_NE(e->derivation, "") << id;
+    EXPECT_FALSE(e->tests.empty()) << id;
+  }
+}
+
+}  // namespace
+}  // namespace rigor
