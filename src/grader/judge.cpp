@@ -7,6 +7,7 @@
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/grader/shrink.hpp>
+#include <set>
 #include <tuple>
 
 namespace rigor::grader {
@@ -45,8 +46,9 @@ double ratio_of(const Check& check, const Scenario& s, const std::vector<Reply>&
 class Trial {
  public:
   // `inertia_failed`: an inertia function was found wrong, so what calls it may follow from that.
-  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, bool inertia_failed)
-      : student_(student), check_(check), rubric_(rubric), selection_(selection), follows_(check.carries && inertia_failed) {
+  // `deaths_allowed`: three, or one where the same function has died three times in an earlier check.
+  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, bool inertia_failed, int deaths_allowed)
+      : student_(student), check_(check), rubric_(rubric), selection_(selection), deaths_allowed_(deaths_allowed), follows_(check.carries && inertia_failed) {
     result_.check = &check;
     result_.max_points = rubric.points_of(check);
   }
@@ -55,7 +57,7 @@ class Trial {
   std::pair<CheckResult, std::vector<Record>> finish() {
     const int all = check_.cases != 0 ? std::min(check_.cases, rubric_.cases) : rubric_.cases;
     const int first = selection_.single_case < 0 ? 0 : selection_.single_case, last = selection_.single_case < 0 ? all : first + 1;
-    for (int k = first; k < last && deaths_ < 3; ++k) {
+    for (int k = first; k < last && deaths_ < deaths_allowed_; ++k) {
       if (interrupted() != 0) {
         result_.words = "interrupted after " + std::to_string(result_.cases) + " cases";
         break;
@@ -91,7 +93,7 @@ class Trial {
   void conclude() {
     if (worst_death_) {
       result_.verdict = verdict_of(worst_death_->kind);
-      result_.words = worst_death_->words + (deaths_ >= 3 ? " (three times; the check stopped there)" : "");
+      result_.words = worst_death_->words + (deaths_ >= deaths_allowed_ ? " (the check stopped there)" : "");
       show(died_at_, [&](const Scenario& s) { return run_case(student_, check_, s).death.has_value(); });
       return;
     }
@@ -114,8 +116,15 @@ class Trial {
   void show(int number, const std::function<bool(const Scenario&)>& fails) {
     Counterexample example;
     example.number = number;
-    example.inputs = shrink(check_, draw_case(check_, rubric_.seed, number), fails, worst_death_ ? 12 : 200);
+    // a death costs a process, a timeout seconds: those cases are shown as drawn
+    const int calls = !worst_death_ ? 200 : worst_death_->kind == Death::Kind::crash ? 12 : 0;
+    example.inputs = shrink(check_, draw_case(check_, rubric_.seed, number), fails, calls);
     example.function = Function(check_.calls(example.inputs)[0].request.function);
+    if (worst_death_) {
+      example.death = worst_death_->words;
+      result_.counterexample = example;
+      return;
+    }
     const Run run = run_case(student_, check_, example.inputs);
     if (run.death) example.death = run.death->words;
     else example.judgement = check_.judge(example.inputs, run.replies, false);
@@ -126,6 +135,7 @@ class Trial {
   const Check& check_;
   const Rubric& rubric_;
   const Selection& selection_;
+  const int deaths_allowed_;
   CheckResult result_;
   std::vector<Record> records_;
   std::optional<Death> worst_death_;
@@ -159,6 +169,7 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
            const Selection& selection, Report& report) {
   std::vector<std::vector<Record>> records;
   bool inertia_failed = false;
+  std::set<StudentFunction> dead;
   for (const Check& check : checks()) {
     if (!chosen(selection, check)) continue;
     const FunctionStatus& status = functions[std::size_t(check.function)];
@@ -174,7 +185,8 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
       records.emplace_back();
       continue;
     }
-    auto [result, seen] = Trial(student, check, rubric, selection, inertia_failed).finish();
+    auto [result, seen] = Trial(student, check, rubric, selection, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
+    if (result.verdict == Verdict::crash || result.verdict == Verdict::timeout || result.verdict == Verdict::memory) dead.insert(check.function);
     inertia_failed = inertia_failed || (check.group == "Inertia" && result.verdict == Verdict::fail);
     report.results.push_back(std::move(result));
     records.push_back(std::move(seen));
