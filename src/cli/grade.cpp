@@ -7,6 +7,7 @@
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/grade.hpp>
+#include <rigor/grader/formats.hpp>
 #include <rigor/grader/judge.hpp>
 
 namespace rigor::cli {
@@ -30,15 +31,31 @@ int bad_input(const std::string& text) {
   return 2;
 }
 
+struct Format {
+  const char *name, *file;
+  std::string (*write)(const grader::Report&);
+};
+const Format formats[] = {
+    {"text", "report.txt", [](const grader::Report& r) { return grader::report_text(r, false); }},
+    {"json", "report.json", grader::report_json},
+    {"html", "report.html", grader::report_html},
+    {"junit", "report.xml", grader::report_junit},
+    {"gradescope", "results.json", grader::report_gradescope},
+    {"autolab", "autolab.txt", grader::report_autolab},
+};
+const Format* find_format(const std::string& name) {
+  for (const Format& format : formats)
+    if (name == format.name) return &format;
+  return nullptr;
+}
+
 // Writes the asked formats below `out`; one directory for each submission where there are several.
 Outcome<bool> write_formats(const grader::Report& report, const Options& options, bool several) {
   const std::filesystem::path dir = several ? std::filesystem::path(options.out) / report.submission : std::filesystem::path(options.out);
-  const std::vector<std::string> formats = options.formats.empty() ? std::vector<std::string>{"text", "json", "html"} : options.formats;
-  for (const std::string& format : formats) {
-    const auto written = format == "json"   ? write_file(dir / "report.json", grader::report_json(report))
-                         : format == "html" ? write_file(dir / "report.html", grader::report_html(report))
-                                            : write_file(dir / "report.txt", grader::report_text(report, false));
-    if (!written) return written;
+  const std::vector<std::string> asked = options.formats.empty() ? std::vector<std::string>{"text", "json", "html"} : options.formats;
+  for (const std::string& name : asked) {
+    const Format& format = *find_format(name);
+    if (const auto written = write_file(dir / format.file, format.write(report)); !written) return written;
   }
   return true;
 }
@@ -77,7 +94,9 @@ int grade_command(const Options& options) {
   for (const std::string& id : options.checks)
     if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids));
   for (const std::string& format : options.formats)
-    if (format != "text" && format != "json" && format != "html") return bad_input("--format: '" + format + "' is none of text, json, html");
+    if (find_format(format) == nullptr) return bad_input("--format: '" + format + "' is none of text, json, html, junit, gradescope, autolab");
+  const Format* printed = options.out.empty() && options.formats.size() == 1 ? find_format(options.formats.front()) : nullptr;
+  const bool autolab = printed != nullptr && std::string(printed->name) == "autolab";
 
   int graded = 0;
   const bool colour = isatty(STDOUT_FILENO) != 0;
@@ -85,17 +104,19 @@ int grade_command(const Options& options) {
     const auto report = grade_one(path, rubric, options);
     if (!report) {
       std::fprintf(stderr, "rigor grade: %s\n", report.fault().text().c_str());
+      if (autolab) std::fputs(grader::autolab_failure(report.fault().text()).c_str(), stdout);
       continue;
     }
     ++graded;
     if (!options.out.empty())
       if (const auto written = write_formats(*report, options, options.paths.size() > 1); !written) return bad_input(written.fault().text());
-    if (options.json) std::fputs(grader::report_json(*report).c_str(), stdout);
+    if (printed != nullptr) std::fputs(printed->write(*report).c_str(), stdout);
+    else if (options.json) std::fputs(grader::report_json(*report).c_str(), stdout);
     else if (options.quiet) std::printf("%s %g of %g\n", report->submission.c_str(), report->score, report->max_score);
     else std::fputs(grader::report_text(*report, colour).c_str(), stdout);
     if (interrupted() != 0) return 128 + interrupted();
   }
-  return graded == int(options.paths.size()) ? 0 : 2;
+  return autolab || graded == int(options.paths.size()) ? 0 : 2;  // Autolab takes any other status for a broken grader
 }
 
 }  // namespace
@@ -109,8 +130,8 @@ void add_grade(CLI::App& app, int& exit_status) {
   command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
   command->add_option("--check", options->checks, "only this check; may be given several times");
   command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(CLI::Range(0, 100000));
-  command->add_option("--format", options->formats, "with --out: text,json,html")->delimiter(',');
-  command->add_option("--out", options->out, "directory for report.txt, report.json, report.html");
+  command->add_option("--format", options->formats, "text, json, html, junit, gradescope, autolab; one of them without --out is printed")->delimiter(',');
+  command->add_option("--out", options->out, "directory for the reports: text, json and html unless --format says otherwise");
   command->add_option("--jobs", options->jobs, "compilers at a time")->check(CLI::Range(1, 256));
   command->add_flag("--sanitize", options->sanitize, "build with sanitizers; their first finding is shown as advice");
   command->add_flag("--json", options->json, "print report.json");

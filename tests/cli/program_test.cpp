@@ -75,7 +75,7 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"grade /nowhere", "/nowhere"},
       {"grade /nowhere --check moi.bodi", "did you mean 'moi.body'?"},
       {"grade /nowhere --rubric /nowhere.toml", "/nowhere.toml does not exist"},
-      {"grade /nowhere --format pdf", "is none of text, json, html"},
+      {"grade /nowhere --format pdf", "is none of text, json, html, junit, gradescope, autolab"},
       {"class /nowhere", "is not a directory"},
       {"--nonsense", "is required"},
       {"", "is required"},
