@@ -1,16 +1,14 @@
 #pragma once
 #include <cstdio>
 #include <cstdlib>
-#include <source_location>
 
 namespace rigor {
 
-/// Our own promise, checked in every build: prints where and which, then aborts. Never for input from
-/// outside.
-inline void promise(bool held, const char* sentence,
-                    std::source_location at = std::source_location::current()) {
+/// Our own promise, checked in every build: prints where and which, then aborts. Never for input from outside.
+/// (The builtins stand in for std::source_location, which clang 14 lacks.)
+inline void promise(bool held, const char* sentence, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
   if (held) return;
-  std::fprintf(stderr, "%s:%u: rigor broke its promise: %s\n", at.file_name(), unsigned(at.line()), sentence);
+  std::fprintf(stderr, "%s:%d: rigor broke its promise: %s\n", file, line, sentence);
   std::abort();
 }
 

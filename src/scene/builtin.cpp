@@ -1,6 +1,5 @@
-#include <cmath>
-#include <random>
 #include <rigor/base/promise.hpp>
+#include <rigor/scene/random.hpp>
 #include <rigor/scene/scene.hpp>
 
 namespace rigor {
@@ -8,21 +7,6 @@ namespace {
 
 using V = Vec3<double>;
 
-// Uniform in [low, high) from 53 random bits: the same on every platform.
-double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * (double(random() >> 11) * 0x1p-53);
-}
-// A random direction with y made non-negative, as the assignment's program draws it.
-V direction(std::mt19937_64& random) {
-  for (;;) {
-    V a(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
-    const double length = norm<double>(a);
-    if (length > 1 || length < 1e-3) continue;
-    a /= length;
-    a[1] = std::fabs(a[1]);
-    return a;
-  }
-}
 Plane<double> plane(const V& point, const V& normal) { return *Plane<double>::make(point, normal); }
 SceneBody body(double mass, const V& size, const State<double>& start) { return {*Cuboid<double>::make(mass, size), start}; }
 
@@ -34,7 +18,7 @@ Scene assignment(std::uint64_t seed) {
     const V size(uniform(random, 0.5, 2.5), uniform(random, 0.5, 2.5), uniform(random, 0.5, 2.5));
     const double mass = uniform(random, 2, 3);
     State<double> start;
-    start.p_WB = uniform(random, 2, 10) * direction(random);
+    start.p_WB = uniform(random, 2, 10) * upward_direction(random);
     s.bodies.push_back(body(mass, size, start));
   }
   s.planes = {plane({0, 0, 0}, {0, 1, 0}), plane({0, 5, 0}, {0, -1, 0}), plane({10, 0, 0}, {-1, 0, 0}),

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <random>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/collision/box_box.hpp>
@@ -8,6 +7,7 @@
 #include <rigor/formulas/force_sum.hpp>
 #include <rigor/formulas/momentum.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/random.hpp>
 #include <rigor/scene/simulate.hpp>
 
 namespace rigor {
@@ -76,18 +76,7 @@ class World {
       const double length = norm<double>(to), pull = 10 * shape(i).mass();
       V force = length > 0 ? V(pull / length * to) : zero3<double>();
       force[1] = pull;
-      vacuum_[i] = add_force<double>({}, random_offset(), force);
-    }
-  }
-  V random_offset() {
-    const auto uniform = [&] { return 2 * (double(random_() >> 11) * 0x1p-53) - 1; };
-    for (;;) {
-      V a(uniform(), uniform(), uniform());
-      const double length = norm<double>(a);
-      if (length > 1 || length < 1e-3) continue;
-      a *= 0.1 / length;
-      a[1] = std::fabs(a[1]);
-      return a;
+      vacuum_[i] = add_force<double>({}, V(0.1 * upward_direction(random_)), force);
     }
   }
   void sum_forces(double t) {
