@@ -128,7 +128,9 @@ void diagnose(std::vector<History>& histories) {
   for (History& h : histories) groups[h.result->check->function].push_back(&h);
 
   std::string upstream;  // mistakes found in functions that later ones call
-  for (auto& [function, group] : groups) {  // in the order of the assignment: helpers first
+  for (auto& entry : groups) {  // in the order of the assignment: helpers first
+    const StudentFunction function = entry.first;
+    Group& group = entry.second;  // no structured binding: clang 14 cannot capture one
     if (std::none_of(group.begin(), group.end(), [](const History* h) { return failed(*h); })) continue;
 
     // right given the mistakes found in what it calls?
