@@ -1,0 +1,208 @@
+// The batch against the plain method it must equal bit for bit.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <random>
+#include <rigor/engine/batch.hpp>
+#include <rigor/integrators/euler.hpp>
+#include <rigor/linalg/rotation.hpp>
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+// Counts what the whole program allocates; not inlined, or g++ sees a mismatch of new and free.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto a = std::size_t(alignment);
+  if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace rigor {
+namespace {
+
+using V = Vec3<double>;
+
+struct World {
+  std::vector<Cuboid<double>> bodies;
+  std::vector<Motion> motions;
+  std::vector<Load> loads;
+
+  void add(const Cuboid<double>& body, const State<double>& state, const Load& load) {
+    bodies.push_back(body);
+    motions.push_back(motion_of(body, state));
+    loads.push_back(load);
+  }
+  Batch batch() const {
+    Batch made = *Batch::make(bodies, motions);
+    for (std::size_t i = 0; i < loads.size(); ++i) made.set_load(i, loads[i]);
+    return made;
+  }
+  // the plain method, body by body
+  std::vector<Motion> plain(double h, long steps) const {
+    std::vector<Motion> now = motions;
+    for (std::size_t i = 0; i < now.size(); ++i)
+      for (long k = 0; k < steps; ++k) now[i] = step_euler_momentum(bodies[i], now[i], loads[i], h);
+    return now;
+  }
+};
+
+// Three different edges, generic attitude, off the origin, spinning, pushed and turned; every third body without a load.
+World random_world(int count, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto u = [&] { return double(random() >> 11) / 4503599627370496.0 - 1; };  // 2^52: [-1, 1)
+  const auto vector = [&](double scale) {
+    const double x = u(), y = u(), z = u();
+    return V(scale * x, scale * y, scale * z);
+  };
+  World world;
+  for (int i = 0; i < count; ++i) {
+    const double mass = 2 + u();
+    const V size = V(1.5, 2.5, 3.5) + vector(0.9);
+    State<double> s;
+    s.p_WB = vector(100);
+    const V turn = vector(1);
+    s.R_WB = rotation_of<double>(Vec4<double>(1.5, turn[0], turn[1], turn[2]));
+    s.v_WB = vector(10);
+    s.w_WB = vector(20);
+    Load load;
+    if (i % 3) load = {vector(50), vector(9)};
+    world.add(*Cuboid<double>::make(mass, size), s, load);
+  }
+  return world;
+}
+
+bool same_bits(const Motion& a, const Motion& b) {
+  const auto same = [](const auto& x, const auto& y) { return std::memcmp(x.data(), y.data(), sizeof(double) * std::size_t(x.size())) == 0; };
+  return same(a.state.p_WB, b.state.p_WB) && same(a.state.R_WB, b.state.R_WB) && same(a.state.v_WB, b.state.v_WB) && same(a.state.w_WB, b.state.w_WB) && same(a.L_W, b.L_W);
+}
+void expect_same(const Batch& batch, const std::vector<Motion>& want, const std::string& what) {
+  ASSERT_EQ(batch.size(), want.size());
+  for (std::size_t i = 0; i < want.size(); ++i) ASSERT_TRUE(same_bits(batch.motion(i), want[i])) << what << ", body " << i << " of " << want.size();
+}
+
+// Counts around the lanes of a block and the blocks of a tile (8 and 128 bodies).
+TEST(Batch, HasTheBitsOfThePlainMethodOnEveryInstructionSet) {
+  for (const int count : {1, 7, 8, 9, 127, 128, 129, 300}) {
+    const World world = random_world(count, unsigned(count));
+    const auto want = world.plain(0.01, 40);
+    for (const Instructions with : supported_instructions()) {
+      Batch batch = world.batch();
+      batch.step(0.01, 40, 1, with);
+      expect_same(batch, want, name(with));
+    }
+  }
+}
+
+// Signed zeros, numbers without full precision, spins of twenty turns a step, steps backwards: still the same bits.
+TEST(Batch, HasTheBitsOfThePlainMethodOnAwkwardNumbers) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const auto plate = *Cuboid<double>::make(3, {1e-3, 2, 3}), cube = *Cuboid<double>::make(1e9, {1, 1, 1});
+  World world;
+  for (const auto& body : {plate, cube})
+    for (const V& w : {V(0, 0, 0), V(-0.0, -0.0, -0.0), V(tiny, -tiny, 0), V(1e-170, 1e-160, -1e-155), V(0, 12345, 0), V(1e8, -2e8, 3e7)})
+      for (const Load& load : {Load{}, Load{V(-0.0, tiny, 1e300), V(1e-300, -0.0, tiny)}}) {
+        State<double> s;
+        s.v_WB = V(-0.0, tiny, 1e150);
+        s.p_WB = V(1e15, -0.0, -1e-310);
+        s.w_WB = w;
+        world.add(body, s, load);
+      }
+  for (const double h : {0.01, -0.01, 0.0, -0.0, 1e-300}) {
+    const auto want = world.plain(h, 7);
+    for (const Instructions with : supported_instructions()) {
+      Batch batch = world.batch();
+      batch.step(h, 7, 1, with);
+      expect_same(batch, want, name(with) + std::string(", h ") + std::to_string(h));
+    }
+  }
+}
+
+// case ST-07: the number of threads changes nothing, and neither does asking for the steps one by one.
+TEST(Batch, DoesNotDependOnThreadsOrOnHowStepsAreAskedFor) {
+  const World world = random_world(1003, 5);
+  const auto want = world.plain(1 / 240., 30);
+  for (const unsigned threads : {1u, 2u, 3u, 8u, 1000u}) {
+    Batch batch = world.batch();
+    batch.step(1 / 240., 30, threads);
+    expect_same(batch, want, std::to_string(threads) + " threads");
+  }
+  Batch batch = world.batch();
+  for (int k = 0; k < 30; ++k) batch.step(1 / 240.);
+  expect_same(batch, want, "one by one");
+}
+
+TEST(Batch, TakesNewLoadsBetweenSteps) {
+  World world = random_world(20, 6);
+  Batch batch = world.batch();
+  batch.step(0.01, 3);
+  world.motions = world.plain(0.01, 3);
+  world.loads = random_world(20, 7).loads;
+  for (std::size_t i = 0; i < 20; ++i) batch.set_load(i, world.loads[i]);
+  batch.step(0.02, 3);
+  expect_same(batch, world.plain(0.02, 3), "second load");
+}
+
+// case D-08: without torque the angular momentum keeps its bits for ever.
+TEST(Batch, KeepsAngularMomentumToTheBitWithoutTorque) {
+  World world = random_world(64, 8);
+  for (Load& load : world.loads) load.tau_W = zero3<double>();
+  Batch batch = world.batch();
+  batch.step(0.01, 10000);
+  for (std::size_t i = 0; i < batch.size(); ++i) EXPECT_EQ(V(batch.L_W(i)), world.motions[i].L_W);
+}
+
+TEST(Batch, ShowsItsStateWithoutCopying) {
+  const World world = random_world(11, 9);
+  Batch batch = world.batch();
+  const auto p = batch.p_WB(10);
+  const auto R = batch.R_WB(10);
+  EXPECT_EQ(V(p), world.motions[10].state.p_WB);
+  EXPECT_EQ(Mat3<double>(R), world.motions[10].state.R_WB);
+  batch.step(0.01);
+  EXPECT_EQ(V(p), batch.motion(10).state.p_WB) << "the view follows the step";
+  EXPECT_NE(V(p), world.motions[10].state.p_WB);
+  EXPECT_EQ(Mat3<double>(R), batch.motion(10).state.R_WB);
+}
+
+TEST(Batch, AllocatesNothingWhileItStepsOnOneThread) {
+  Batch batch = random_world(300, 10).batch();
+  batch.step(0.01);
+  const long before = allocations;
+  ASSERT_GT(before, 0);
+  batch.step(0.01, 100);
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(Batch, RefusesWhatItCannotStep) {
+  World world = random_world(3, 11);
+  const auto fault = [&](auto spoil) {
+    World spoilt = world;
+    spoil(spoilt);
+    return Batch::make(spoilt.bodies, spoilt.motions).fault();
+  };
+  EXPECT_EQ(fault([](World& w) { w.motions.pop_back(); }).text(), "motions are 2, must be one for each of 3 bodies");
+  EXPECT_EQ(fault([](World& w) { w.motions[2].state.v_WB[1] = NAN; }).where, "motions[2].v_WB[1]");
+  EXPECT_EQ(fault([](World& w) { w.motions[1].state.R_WB(2, 0) = INFINITY; }).where, "motions[1].R_WB(2,0)");
+  EXPECT_EQ(fault([](World& w) { w.motions[0].L_W[0] = NAN; }).kind, Fault::Kind::not_finite);
+  EXPECT_EQ((*Batch::make({}, {})).size(), 0u);
+  Batch none = *Batch::make({}, {});
+  none.step(0.01, 5, 4);  // nobody to move: nothing happens
+}
+
+}  // namespace
+}  // namespace rigor
