@@ -122,8 +122,8 @@ Judgement judge_correction(const Scenario& s, const std::vector<Reply>& r, bool)
 // A post twice as tall as wide, falling flat: what every sound rule keeps when several corners touch.
 Scenario draw_post(Random& random, int number) {
   Scenario s;
-  const double width = grid(random, 0.5, 1);
-  s.A.size = Vec3<double>(width, width * grid(random, 2, 3), width + grid(random, 0, 0.25));
+  const double width = grid(random, 0.5, 1), slenderness = grid(random, 2, 3);
+  s.A.size = Vec3<double>(width, width * slenderness, width + grid(random, 0, 0.25));
   s.A.mass = grid(random, 1.25, 4);
   s.plane_point = arrow(random, 0.5, 3);
   s.A.turn = draw_turn(random);

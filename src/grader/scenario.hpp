@@ -17,10 +17,15 @@ inline int integer(Random& random, int low, int high) {
 /// A multiple of 1/64 in [low, high]: exact, short to print, easy to shrink.
 inline double grid(Random& random, double low, double high) { return integer(random, int(low * 64), int(high * 64)) / 64.0; }
 inline double sign(Random& random) { return integer(random, 0, 1) == 0 ? -1.0 : 1.0; }
-/// Each component of either sign, at least `least` in size.
+/// Each component of either sign, at least `least` in size. (One draw a statement, here and in every check: the order
+/// of operands and arguments is the compiler's choice, and the graded cases must not be.)
 inline Vec3<double> arrow(Random& random, double least, double most) {
-  const double x = sign(random) * grid(random, least, most), y = sign(random) * grid(random, least, most);
-  return Vec3<double>(x, y, sign(random) * grid(random, least, most));
+  Vec3<double> a;
+  for (int i = 0; i < 3; ++i) {
+    const double s = sign(random);
+    a[i] = s * grid(random, least, most);
+  }
+  return a;
 }
 
 /// One cuboid of a case, by the numbers a person would write down. The shrinker works on these.
@@ -60,7 +65,10 @@ inline Vec3<double> draw_edges(Random& random) {
 /// A turn of 0.5 to 1.3 rad about an axis with no small component.
 inline Vec4<double> draw_turn(Random& random) {
   Vec4<double> q(integer(random, 5, 8), 0, 0, 0);
-  for (int k = 1; k < 4; ++k) q[k] = sign(random) * integer(random, 1, 2);
+  for (int k = 1; k < 4; ++k) {
+    const double s = sign(random);
+    q[k] = s * integer(random, 1, 2);
+  }
   return q;
 }
 /// A unit vector with no small component.

@@ -15,10 +15,13 @@ Scene assignment(std::uint64_t seed) {
   Scene s;
   std::mt19937_64 random(seed);
   for (int i = 0; i < 10; ++i) {
-    const V size(uniform(random, 0.5, 2.5), uniform(random, 0.5, 2.5), uniform(random, 0.5, 2.5));
+    // one draw a line: the order of arguments and operands is the compiler's choice
+    V size;
+    for (int k = 0; k < 3; ++k) size[k] = uniform(random, 0.5, 2.5);
     const double mass = uniform(random, 2, 3);
+    const double distance = uniform(random, 2, 10);
     State<double> start;
-    start.p_WB = uniform(random, 2, 10) * upward_direction(random);
+    start.p_WB = distance * upward_direction(random);
     s.bodies.push_back(body(mass, size, start));
   }
   s.planes = {plane({0, 0, 0}, {0, 1, 0}), plane({0, 5, 0}, {0, -1, 0}), plane({10, 0, 0}, {-1, 0, 0}),

@@ -63,7 +63,10 @@ Vec3<T> edges(Random& random) {
 template <class T>
 Mat3<T> rotation(Random& random) {
   Vec4<T> q;
-  for (int i = 0; i < 4; ++i) q[i] = T(integer(random, 1, 9) * (integer(random, 0, 1) != 0 ? 1 : -1));
+  for (int i = 0; i < 4; ++i) {
+    const int size = integer(random, 1, 9);
+    q[i] = T(integer(random, 0, 1) != 0 ? size : -size);
+  }
   return rotation_of<T>(q);
 }
 
