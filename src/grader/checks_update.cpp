@@ -2,6 +2,7 @@
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/rotation_rate.hpp>
 #include <rigor/grader/check.hpp>
+#include <rigor/grader/misconceptions.hpp>
 
 namespace rigor::grader {
 namespace {
@@ -140,6 +141,34 @@ Judgement judge_clears(const Scenario& s, const std::vector<Reply>& r, bool) {
   return j;
 }
 
+// Which one-step scheme it is, for the report: found by equality with the legitimate readings. Never wrong.
+Scenario draw_scheme(Random& random, int number) {
+  Scenario s = draw_clears(random, number);
+  s.A.spin = arrow(random, 0.75, 1.75);
+  return s;
+}
+Judgement judge_scheme(const Scenario& s, const std::vector<Reply>& r, bool) {
+  const auto matches = [&](const std::string& ids) {
+    const Call call = ask_once(s)[0];
+    const BodyRecord a = r[0].A, b = model_answer(habits_with(ids), call.constants, call.request).A;
+    return norm<double>(Vec3<double>(vec(a.position) - vec(b.position))) <= 1e-9 * norm<double>(s.A.velocity) &&
+           (mat(a.rotation) - mat(b.rotation)).norm() <= 1e-9;
+  };
+  Judgement j;
+  if (matches("")) return j;  // semi-implicit Euler with Gram-Schmidt, the one the sheet describes: nothing to remark
+  j.note = "none of the known one-step schemes";
+  for (const std::string position : {"", "explicit-position", "midpoint-position"})
+    for (const std::string spin : {"", "old-spin"})
+      for (const std::string repair : {"", "rows", "polar", "exponential", "quaternion"}) {
+        std::string ids;
+        for (const std::string& part : {position, spin, repair}) ids += ids.empty() || part.empty() ? part : "+" + part;
+        if (!matches(ids)) continue;
+        j.note = "scheme: " + ids;
+        return j;
+      }
+  return j;
+}
+
 // A cube under constant force and torque for 1 s, in 50, 100, 200 and 400 steps.
 constexpr int ladder[4] = {50, 100, 200, 400};
 Scenario draw_convergence(Random& random, int) {
@@ -239,6 +268,7 @@ std::vector<Check> update_checks() {
        {"update.not-orthonormal"}, draw_orthonormal, ask_orthonormal, judge_orthonormal},
       {"update.clears", "Dynamics", update, "step.semi_implicit", "net force and net torque are zero afterwards", 2,
        {"update.keeps-force", "update.keeps-torque"}, draw_clears, ask_once, judge_clears},
+      {"update.order", "Dynamics", update, "step.semi_implicit", "information: which one-step scheme it is", 0, {}, draw_scheme, ask_once, judge_scheme},
       {"update.convergence", "Dynamics", update, "step.semi_implicit", "halving the step halves the error of position, velocity, spin and rotation (or better)", 3,
        {}, draw_convergence, ask_ladder, judge_convergence, true},
   };

@@ -90,6 +90,7 @@ TEST(Judge, NamesTheReadingItSaw) {
   };
   EXPECT_EQ(notes(judged("friction-literal", 16, 5)).count("literal friction rule: every slip slides"), 1u);
   EXPECT_EQ(notes(judged("tangent-against-slip", 16, 5)).count("tangent against the slip"), 1u);
+  EXPECT_EQ(notes(judged("explicit-position+exponential", 16, 5)).count("scheme: explicit-position+exponential"), 1u);
   EXPECT_TRUE(notes(judged("", 16, 5)).empty());
 }
 
