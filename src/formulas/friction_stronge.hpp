@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <limits>
 #include <rigor/formulas/friction_coulomb.hpp>
 #include <rigor/formulas/friction_stronge_planar.hpp>
 
@@ -58,6 +59,58 @@ inline SlipState slip_step(const ImpactAxes& a, const SlipState& x, double h, do
   return y;
 }
 
+/// Whether the slip has turned as far as it will: its direction is attracted by one less than 1e-13 rad away. From
+/// there on the slip is straight and everything linear in p. (On the clock of SlipState a straight slip near the
+/// critical friction, where it neither grows nor shrinks, would take for ever.)
+inline bool settled(const ImpactAxes& a, double psi) {
+  const double c = std::cos(psi), s = std::sin(psi);
+  const auto f = a.pull(c, s);
+  const double turn = -f[0] * s + f[1] * c, along = f[0] * c + f[1] * s;
+  const double across = s * (a.k_tt[0][0] * s - a.k_tt[0][1] * c) - c * (a.k_tt[1][0] * s - a.k_tt[1][1] * c);
+  return std::fabs(turn) <= 1e-13 * (a.mu_d * across + along);  // d turn/d psi is minus the bracket
+}
+
+/// Where the impact stands, and its progress along legs on which v_n is linear in p.
+struct Progress {
+  double e;
+  SlipState x;
+  double work_c = 0;  ///< ∫ v_n dp over compression, < 0, once it has ended
+  bool compressed = false, ended = false;
+
+  /// ≥ 0 when the present phase is over.
+  double goal(const SlipState& y) const { return compressed ? y.work - (1 - e * e) * work_c : y.v_n; }
+  void end_phase() {
+    ended = compressed || e == 0;
+    if (!compressed) work_c = x.work;
+    compressed = true;
+  }
+  void advance(double a1, double a2, double slope, double dp) {
+    x.p += dp, x.j1 += a1 * dp, x.j2 += a2 * dp;
+    x.work += (x.v_n + slope * dp / 2) * dp;
+    x.v_n += slope * dp;
+  }
+
+  /// With tangential impulse (a1, a2) per unit of p, until the impact ends or p has grown by `limit`.
+  void follow(const ImpactAxes& a, double a1, double a2, double limit) {
+    const double slope = a.k_nn + a1 * a.k_tn[0] + a2 * a.k_tn[1];
+    if (!compressed) {
+      const double dp = slope > 0 ? -x.v_n / slope : limit;  // a leg that jams ends at its limit, where the slip stops
+      advance(a1, a2, slope, std::fmin(dp, limit));
+      if (!(slope > 0) || dp > limit) return;
+      x.v_n = 0;
+      limit -= dp;
+      end_phase();
+      if (ended) return;
+    }
+    const double left = std::fmax(0.0, -goal(x));  // work still to come back
+    const double square = x.v_n * x.v_n + 2 * slope * left, root = std::sqrt(std::fmax(0.0, square));
+    const bool reached = left == 0 || (square >= 0 && (x.v_n > 0 || slope > 0));
+    const double dp = left == 0 ? 0 : x.v_n > 0 ? 2 * left / (x.v_n + root) : (root - x.v_n) / slope;
+    ended = reached && dp <= limit;
+    advance(a1, a2, slope, ended ? dp : limit);
+  }
+};
+
 /// Direction in which a slip starts again after a stop that friction cannot hold: k_tn − μ K_tt s = κ s, κ > 0.
 /// A fixed point of direction → direction of pull; bisection on the angle between the pull and s.
 inline double restart_direction(const ImpactAxes& a) {
@@ -110,51 +163,51 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
     }
   }
   t1 /= norm<double>(t1);
+  t1 -= dot<double>(t1, n) * n;  // once more: a slip of 1e-10 |v_r| leaves t1 off the plane by 1e-6
+  t1 /= norm<double>(t1);
   const Vec3<double> t2 = cross<double>(n, t1), Kn = apply<double>(K, n), K1 = apply<double>(K, t1), K2 = apply<double>(K, t2);
   const detail::ImpactAxes axes{dot<double>(n, Kn), {dot<double>(t1, Kn), dot<double>(t2, Kn)},
                                 {{{dot<double>(t1, K1), dot<double>(t1, K2)}, {dot<double>(t2, K1), dot<double>(t2, K2)}}}, mu_d, -v_n};
 
   const bool slips = slip > 4e-16 * norm<double>(v_r);
-  SlipState x{slips ? std::log(slip) : 0, 0, 0, 0, 0, v_n, 0};
-  double work_c = 0;  // ∫ v_n dp over compression, < 0, once it has ended
-  bool compressed = false, ended = false;
-  const auto goal = [&](const SlipState& y) { return compressed ? y.work - (1 - e * e) * work_c : y.v_n; };
-
+  detail::Progress now{e, {slips ? std::log(slip) : 0, 0, 0, 0, 0, v_n, 0}};
+  SlipState& x = now.x;
   if (slips && mu_d > 0) {
-    const double fastest = norm<double>(v_r) * 1e-16;
+    const double stopped = std::log(norm<double>(v_r) * 1e-16);
     double h = 0.1 / (axes.k_nn + axes.k_tt[0][0] + axes.k_tt[1][1]);
-    for (int step = 0; step < 200000 && !ended && std::exp(x.log_r) > fastest; ++step) {
+    while (!now.ended && x.log_r > stopped && !detail::settled(axes, x.psi)) {
       double error;
       SlipState y = detail::slip_step(axes, x, h, error);
       if (!(error <= 1e-13) && h > 1e-12) {
         h *= std::fmax(0.2, 0.9 * std::pow(1e-13 / error, 0.2));
         continue;
       }
-      if (goal(y) >= 0) {  // the end of this phase lies inside the step: shorten the step until it is its end
+      const bool over = now.goal(y) >= 0;
+      if (over) {  // the end of this phase lies inside the step: shorten the step until it is its end
         double low = 0, high = h;
         for (int i = 0; i < 100; ++i) {
           const double middle = 0.5 * (low + high);
           if (middle <= low || middle >= high) break;
           double ignored;
-          (goal(detail::slip_step(axes, x, middle, ignored)) >= 0 ? high : low) = middle;
+          (now.goal(detail::slip_step(axes, x, middle, ignored)) >= 0 ? high : low) = middle;
         }
         y = detail::slip_step(axes, x, high, error);
-        if (compressed) {
-          ended = true;
-        } else {
-          compressed = true;
-          work_c = y.work;
-          ended = e == 0;
-        }
       } else {
         h *= std::fmin(4.0, 0.9 * std::pow(1e-13 / std::fmax(error, 1e-18), 0.2));
       }
       x = y;
+      if (over) now.end_phase();
+    }
+    if (!now.ended && x.log_r > stopped) {  // straight on, for good or until the slip stops
+      const double c = std::cos(x.psi), s = std::sin(x.psi);
+      const auto f = axes.pull(c, s);
+      const double along = f[0] * c + f[1] * s;
+      now.follow(axes, -mu_d * c, -mu_d * s, along < 0 ? -std::exp(x.log_r) / along : std::numeric_limits<double>::infinity());
     }
   }
 
   FrictionOutcome outcome = FrictionOutcome::slid;
-  if (!ended) {  // slip has stopped (or never was, or feels no friction): from here everything is linear in p
+  if (!now.ended) {  // slip has stopped (or never was, or feels no friction)
     double a1 = 0, a2 = 0;  // tangential impulse per unit of p
     const double det = axes.k_tt[0][0] * axes.k_tt[1][1] - axes.k_tt[0][1] * axes.k_tt[1][0];
     const double h1 = -(axes.k_tt[1][1] * axes.k_tn[0] - axes.k_tt[0][1] * axes.k_tn[1]) / det;
@@ -168,17 +221,7 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
         a1 = -mu_d * std::cos(psi), a2 = -mu_d * std::sin(psi);
       }
     }
-    const double slope = axes.k_nn + a1 * axes.k_tn[0] + a2 * axes.k_tn[1];
-    double more = 0;
-    if (!compressed) {
-      more = -x.v_n / slope;
-      work_c = x.work + x.v_n * more / 2;
-      x.v_n = 0;
-      x.work = work_c;
-    }
-    const double left = std::fmax(0.0, (1 - e * e) * work_c - x.work);  // work still to come back
-    more += (std::sqrt(x.v_n * x.v_n + 2 * slope * left) - x.v_n) / slope;
-    x.p += more, x.j1 += a1 * more, x.j2 += a2 * more;
+    now.follow(axes, a1, a2, std::numeric_limits<double>::infinity());
   }
   return {Vec3<double>(x.p * n + x.j1 * t1 + x.j2 * t2), outcome};
 }
