@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <rigor/base/float_environment.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/commands.hpp>
@@ -22,6 +24,10 @@ int unknown_command(const CLI::App& app, const std::string& word) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto fault = rigor::float_environment_fault()) {
+    std::fprintf(stderr, "rigor: %s\n", fault->text().c_str());
+    return 3;
+  }
   CLI::App app{"rigor: rigid-body dynamics for cuboids, verified; grading, studies, simulation", "rigor"};
   app.require_subcommand(1);
   app.set_version_flag("--version", "rigor " RIGOR_VERSION);
@@ -39,6 +45,9 @@ int main(int argc, char** argv) {
     return exit_status;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "rigor: out of memory; a shorter run, fewer bodies or a larger output interval needs less\n");
+    return 3;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "rigor: internal error: %s\n", error.what());
     return 3;

@@ -1,4 +1,5 @@
 #pragma once
+#include <rigor/base/promise.hpp>
 #include <rigor/contact/surface.hpp>
 #include <rigor/formulas/apply_pair_impulse.hpp>
 #include <rigor/formulas/friction_sheet.hpp>
@@ -67,9 +68,10 @@ FrictionImpact<T> impact_impulse(const Contact<T>& c, const PairVelocity<T>& u, 
   if (surface.frictionless() || law == FrictionLaw::sheet || law == FrictionLaw::sheet_literal)
     return detail::sheet_impulse<T>(c, u, v_n, surface, law);
   const Mat3<T> K = effective_inverse_mass<T>(c.A, c.B);
-  if constexpr (std::is_same_v<T, double>)
-    if (law == FrictionLaw::stronge)
-      return stronge_impulse(K, v_r, c.n_AB_W, surface.restitution(), surface.static_friction(), surface.dynamic_friction());
+  if constexpr (!std::is_same_v<T, double>)
+    promise(law != FrictionLaw::stronge, "stronge's impulse is computed in double only");
+  else if (law == FrictionLaw::stronge)
+    return stronge_impulse(K, v_r, c.n_AB_W, surface.restitution(), surface.static_friction(), surface.dynamic_friction());
   return coulomb_impulse<T>(K, v_r, c.n_AB_W, friction_tangent<T>(v_r, c.f_B_W, c.n_AB_W), surface.restitution(),
                             surface.static_friction(), surface.dynamic_friction());
 }
@@ -77,8 +79,7 @@ FrictionImpact<T> impact_impulse(const Contact<T>& c, const PairVelocity<T>& u, 
 /// Resolves one contact: impulse, new velocities of both sides, energy account.
 ///
 /// A contact that does not approach (v_n ≥ 0) is left alone. An immovable side has zeros in its ImpactBody and keeps
-/// its velocity. Scalars other than double have no `stronge` (it is an ODE) and take coulomb in its place: callers in
-/// exact tests use sheet or coulomb.
+/// its velocity. Scalars other than double have no `stronge` (it is an ODE): asking for it breaks a promise.
 template <Field T>
 ImpactResult<T> resolve_impact(const Contact<T>& c, const PairVelocity<T>& before, const Surface<T>& surface, FrictionLaw law) {
   ImpactResult<T> result{before, {}};

@@ -39,7 +39,8 @@ Vec3<T> impulse_cancelling(const Mat3<T>& K, const Vec3<T>& b) {
 /// frames    world axes; n from A to B, v_r = v_B − v_A; t = friction_tangent, the zero vector without slip
 /// scalars   Field: exact over ℚ
 /// domain    v_r·n < 0, K positive definite, 0 ≤ e ≤ 1, 0 ≤ μ_d ≤ μ_s
-/// rounding  within 40 u κ(K) |j|, measured 4 u κ(K); see docs/tolerances.md
+/// rounding  stuck: within 8 u κ(K) |j|; sliding: within 8 u c |j|, c = (1 + μ_d)|K n|/denominator + |v_r|/|v_n|. A quarter
+///           of that was seen (tests/rounding); a case on the border of the cone may take either branch
 /// id        friction.coulomb
 /// source    reference/errata.md, erratum friction-law; derivation in proofs/friction.md
 template <Field T>

@@ -60,7 +60,7 @@ RouthLeg<T> leg_without_slip(const PlanarImpact<T>& impact) {
 /// frames    n from A to B; impulse on B
 /// scalars   Field for poisson and newton, exact over ℚ; Rooted for stronge
 /// domain    as stated in PlanarImpact
-/// rounding  within 32 u of |j| times k_nn k_tt/(k_nn k_tt − k_tn²); measured, see docs/tolerances.md
+/// rounding  within 32 u of |j| times k_nn k_tt/(k_nn k_tt − k_tn²); over half of that was seen (tests/rounding)
 /// id        friction.stronge_planar
 /// source    Routh; Wang and Mason 1992; Stronge 1990; derivation in proofs/friction.md
 template <Rooted T>

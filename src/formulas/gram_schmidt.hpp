@@ -12,7 +12,7 @@ namespace rigor {
 /// scalars   Rooted: exact over ℚ where the three norms are rational
 /// domain    independent columns. The sign of the determinant is kept: a left-handed input gives a REFLECTION.
 ///           Check the determinant where the input is not known to be near a rotation.
-/// rounding  max|QᵀQ − 1| ≤ 12 u κ(A) near a rotation (κ ≈ 1); measured 3 u, see docs/tolerances.md
+/// rounding  max|QᵀQ − 1| ≤ 12 u κ(A) near a rotation (κ ≈ 1); 5 u κ(A) was seen (tests/rounding)
 /// id        rotation.gram_schmidt
 /// source    assignment, Part 1 (MatrixUtils::orthonormalize); derivation in proofs/rotation.md
 template <Rooted T>

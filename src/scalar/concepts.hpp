@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <concepts>
+#include <rigor/base/float_environment.hpp>  // refuses -ffast-math
 
 namespace rigor {
 

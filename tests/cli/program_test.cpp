@@ -140,5 +140,20 @@ TEST(Explain, FindsADerivationForEveryFormula) {
   }
 }
 
+// case S-11: no memory left is a sentence and a status, and no file half-written.
+TEST_F(Program, SaysSoWhenMemoryRunsOut) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the address sanitizer needs more address space than the limit allows";
+#endif
+  const std::string command = "ulimit -v 150000; " + std::string(RIGOR_BINARY_DIR) + "/rigor run assignment --until 3000 --out " + (dir / "big").string() + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer;
+  std::string text;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
+  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 3) << text;
+  EXPECT_TRUE(contains(text, "rigor: out of memory")) << text;
+  EXPECT_FALSE(fs::exists(dir / "big" / "trajectory.csv"));
+}
+
 }  // namespace
 }  // namespace rigor
