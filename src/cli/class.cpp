@@ -7,6 +7,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/class.hpp>
+#include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
 #include <thread>
 
@@ -14,7 +15,7 @@ namespace rigor::cli {
 namespace {
 
 struct Options {
-  std::string directory, rubric, out = "out/class";
+  std::string directory, rubric, out = "out/class", against, fill, column;
   int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 0;
   int cases = 0;
@@ -46,8 +47,25 @@ class Progress {
 };
 
 int class_command(const Options& options) {
-  const auto entries = grader::read_roster(options.directory);
+  const std::filesystem::path out = options.out;
+  std::filesystem::path directory = options.directory;
+  if (std::filesystem::is_regular_file(directory) && grader::archive_name(directory)) {
+    const std::filesystem::path unpacked = out / ".unpacked";
+    std::error_code ec;
+    std::filesystem::remove_all(unpacked, ec);
+    if (const auto done = grader::unpack_class(directory, unpacked); !done) return bad_input(done.fault().text());
+    directory = unpacked;
+  }
+  const auto entries = grader::read_roster(directory);
   if (!entries) return bad_input(entries.fault().text());
+  std::vector<grader::ClassRow> before;  // read first: the run may write over it
+  if (!options.against.empty()) {
+    const auto read = grader::read_class(*entries, options.against);
+    if (!read) return bad_input("--against: " + read.fault().text());
+    before = *read;
+  }
+  if (!options.fill.empty())  // before an hour of grading, not after it
+    if (const auto possible = grader::fill_gradebook(options.fill, options.column, {}); !possible) return bad_input("--fill: " + possible.fault().text());
   grader::Rubric rubric;
   if (!options.rubric.empty()) {
     const auto read = grader::read_rubric(options.rubric);
@@ -64,10 +82,21 @@ int class_command(const Options& options) {
   const Progress progress(isatty(STDERR_FILENO) != 0 && !options.quiet);
   run.progress = [&](int done, int all) { progress(done, all); };
   const auto rows = grader::grade_class(*entries, rubric, run);
-  const std::filesystem::path out = options.out;
+  const auto changed = grader::changes(before, rows);
   for (const auto& [name, text] : {std::pair{"scores.csv", grader::scores_csv(rows)}, std::pair{"matrix.csv", grader::matrix_csv(rows)},
-                                   std::pair{"class.html", grader::class_html(rows, rubric)}})
+                                   std::pair{"class.html", grader::class_html(rows, rubric, changed)}})
     if (const auto written = write_file(out / name, text); !written) return bad_input(written.fault().text());
+  if (!options.against.empty()) {
+    if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return bad_input(written.fault().text());
+    if (!options.quiet) std::printf("%zu changed since %s: %s\n", changed.size(), options.against.c_str(), (out / "changes.csv").string().c_str());
+  }
+  if (!options.fill.empty()) {
+    const auto filled = grader::fill_gradebook(options.fill, options.column, rows);
+    if (!filled) return bad_input("--fill: " + filled.fault().text());
+    const std::filesystem::path name = out / ("filled-" + std::filesystem::path(options.fill).filename().string());
+    if (const auto written = write_file(name, filled->csv); !written) return bad_input(written.fault().text());
+    if (!options.quiet) std::printf("%d of %d rows filled in: %s\n", filled->filled, filled->filled + filled->unmatched, name.string().c_str());
+  }
   int graded = 0, reused = 0;
   for (const auto& r : rows) {
     graded += r.trouble.empty();
@@ -84,12 +113,15 @@ int class_command(const Options& options) {
 void add_class(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("class", "grade a directory of submissions: scores.csv, matrix.csv, class.html");
-  command->add_option("DIR", options->directory, "one directory for each student (also Autolab, Canvas, Gradescope names)")->required();
+  command->add_option("DIR", options->directory, "a directory or archive for each student (also Autolab, Canvas, Gradescope, Moodle names), or all in one .zip")->required();
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
   command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
   command->add_option("--jobs", options->jobs, "submissions at a time; all processors by default")->check(CLI::Range(1, 256));
   command->add_option("--out", options->out, "where reports and tables go")->capture_default_str();
+  command->add_option("--against", options->against, "an earlier --out: says what changed and why, in changes.csv and on the page");
+  command->add_option("--fill", options->fill, "a gradebook (Canvas, Moodle, Autolab): written to --out with the points filled in");
+  command->add_option("--column", options->column, "the gradebook's column for the points; \"Grade\" by default");
   command->add_flag("--fresh", options->fresh, "grade again what has not changed");
   command->add_flag("--quiet", options->quiet, "print nothing but trouble");
   command->footer("Example:  rigor class submissions --out graded");

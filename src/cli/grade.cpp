@@ -124,7 +124,7 @@ int grade_command(const Options& options) {
 void add_grade(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("grade", "grade submissions: points, the smallest failing case, the likely mistake");
-  command->add_option("PATH", options->paths, "directory of a submission");
+  command->add_option("PATH", options->paths, "directory, .zip or .tar of a submission");
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
   command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));

@@ -106,7 +106,7 @@ std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassR
   return pairs;
 }
 
-std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric) {
+std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed) {
   report::Page page;
   std::map<std::string, int> failures, named;
   std::vector<double> scores;
@@ -133,6 +133,11 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric) 
   if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(sum / double(scores.size())) + ", median " + brief(scores[scores.size() / 2]) + " points.";
   page.body = histogram(rows);
   if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble);
+  if (!changed.empty()) {
+    std::vector<std::vector<std::string>> lines;
+    for (const Change& c : changed) lines.push_back({c.student, std::isnan(c.before) ? "none" : brief(c.before), std::isnan(c.after) ? "none" : brief(c.after), c.why});
+    page.body += "<h2>Changed since the earlier run</h2>" + report::table({"student", "before", "after", "why"}, lines, {1, 2});
+  }
   const auto counted = [](const auto& counts) {
     std::vector<std::vector<std::string>> lines;
     for (const auto& [id, n] : most_frequent(counts)) lines.push_back({id, std::to_string(n)});

@@ -1,6 +1,7 @@
 #include <atomic>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/grader/class_run.hpp>
@@ -50,7 +51,7 @@ ClassRow troubled(const Entry& entry, const std::string& why) {
 
 ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOptions& options) {
   const std::filesystem::path dir = options.out / safe_name(entry.student);
-  const auto submission = open_submission(entry.path);
+  const auto submission = open_submission(entry.uploads);
   if (!submission) return troubled(entry, submission.fault().text());
   if (!options.fresh)
     if (auto old = row_from(dir / "report.json", entry);
@@ -64,7 +65,7 @@ ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOption
   Report report = *graded;
   report.tool = options.tool;
   report.submission = entry.student;
-  report.submission_path = entry.path.string();
+  report.submission_path = entry.uploads.front().string();
   for (const auto& [name, text] : {std::pair{"report.html", report_html(report)}, std::pair{"report.txt", report_text(report, false)},
                                    std::pair{"report.json", report_json(report)}})  // json last: it marks the rest as whole
     if (const auto written = write_file(dir / name, text); !written) return troubled(entry, written.fault().text());
@@ -101,6 +102,17 @@ std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubri
           options.progress(++done, int(entries.size()));
         }
       });
+  }
+  return rows;
+}
+
+Outcome<std::vector<ClassRow>> read_class(const std::vector<Entry>& entries, const std::filesystem::path& out) {
+  std::error_code ec;
+  if (!std::filesystem::is_directory(out, ec)) return Fault{Fault::Kind::unreadable, out.string(), "is not a directory"};
+  std::vector<ClassRow> rows;
+  for (const Entry& entry : entries) {
+    auto row = row_from(out / safe_name(entry.student) / "report.json", entry);
+    rows.push_back(row ? *row : troubled(entry, "not in the earlier run"));
   }
   return rows;
 }

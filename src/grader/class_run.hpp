@@ -32,9 +32,33 @@ struct ClassOptions {
 /// others; an interrupt leaves whole files, and the next run goes on.
 std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubric& rubric, const ClassOptions& options);
 
+/// The rows of an earlier run, from the reports below its directory, in the order of `entries`; a student without a
+/// report there has trouble "not in the earlier run". Faults: unreadable (no directory).
+Outcome<std::vector<ClassRow>> read_class(const std::vector<Entry>& entries, const std::filesystem::path& out);
+
+/// What a regrade changed: student, points before and after, and why (files, tool or rubric differ; checks whose verdict
+/// changed). Students whose points and verdicts are the same are left out.
+struct Change {
+  std::string student;
+  double before, after;         ///< NaN where there is no grade
+  std::string why;              ///< "the rubric changed; force.sum fail -> pass"
+};
+std::vector<Change> changes(const std::vector<ClassRow>& before, const std::vector<ClassRow>& after);
+std::string changes_csv(const std::vector<Change>& list);
+
+/// A gradebook with the points filled in, every other cell as it was. Reads Canvas (columns "SIS Login ID", "ID"; the
+/// points go to `column`), Moodle ("Email address" or "Identifier", "Grade") and Autolab upload forms (no header:
+/// e-mail first). Rows nobody was graded for stay as they are and are counted in `unmatched`.
+/// Faults: unreadable, malformed (no column that names students), missing (no column `column`; the message lists them).
+struct Filled {
+  std::string csv;
+  int filled = 0, unmatched = 0;
+};
+Outcome<Filled> fill_gradebook(const std::filesystem::path& gradebook, const std::string& column, const std::vector<ClassRow>& rows);
+
 std::string scores_csv(const std::vector<ClassRow>& rows);
 std::string matrix_csv(const std::vector<ClassRow>& rows);
-std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric);
+std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed = {});
 
 /// Pairs (a, b): a failed everything b failed and more, yet has more points. Empty when grading is fair.
 std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassRow>& rows);

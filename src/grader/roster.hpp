@@ -9,16 +9,21 @@ namespace rigor::grader {
 /// One student of a class directory: which submission counts, and what its name says.
 struct Entry {
   std::string student;           ///< e-mail, name or folder
-  std::filesystem::path path;    ///< of the submission that counts
+  std::vector<std::filesystem::path> uploads;  ///< of the submission that counts: a directory, an archive, or several files
   int version = 0;               ///< from the name, where it has one
   int versions = 1;              ///< how many were there
   bool late = false;             ///< the platform marked it late; shown, never applied
 };
 
-/// Reads the directory layouts of Autolab (`<email>_<version>_<file>`, highest version wins), Canvas
-/// (`<name>[_LATE]_<id>_<attachment>_<file>`), Gradescope (`assignment_<n>_export/submission_<id>`) and one folder per
-/// student (GitHub, Moodle), by the names of the directories in it. Sorted by student.
+/// Reads the layouts of Autolab (`<email>_<version>_<file>`, highest version wins), Canvas
+/// (`<name>[_LATE]_<id>_<attachment>_<file>`, all files of one id together), Gradescope
+/// (`assignment_<n>_export/submission_<id>`), Moodle (`<name>_<id>_assignsubmission_file_`) and one folder or archive per
+/// student (GitHub), by the names in the directory. Symbolic links are passed by. Sorted by student.
 /// Faults: unreadable (no directory), missing (no student in it).
 Outcome<std::vector<Entry>> read_roster(const std::filesystem::path& directory);
+
+/// A whole class in one zip or tar file, as platforms hand it out: its files below `to`, which must not exist or be
+/// empty. Faults: those of read_archive, unwritable.
+Outcome<bool> unpack_class(const std::filesystem::path& archive, const std::filesystem::path& to);
 
 }  // namespace rigor::grader

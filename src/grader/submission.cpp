@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <regex>
 #include <rigor/base/file.hpp>
+#include <rigor/grader/archive.hpp>
 #include <rigor/grader/build_hash.hpp>
+#include <rigor/grader/printable.hpp>
 #include <rigor/grader/submission.hpp>
 
 namespace rigor::grader {
@@ -23,14 +26,6 @@ constexpr std::array source_endings{".h", ".hpp", ".hh", ".hxx", ".inl", ".cpp",
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-/// A name for a message: no line of a report is broken or coloured by what a file is called.
-std::string printable(const std::string& name) {
-  std::string shown = name.substr(0, 200);
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return shown;
 }
 
 /// Line ends of every system to "\n", without a byte-order mark.
@@ -54,11 +49,22 @@ bool plain_name(const std::string& name) {
   });
 }
 
+/// A file as it was handed in: on disk, or in memory out of an archive.
 struct Found {
-  fs::path path;
+  fs::path path;         // its base name and ending count
   std::string relative;
   int depth;
+  bool unpacked = false;
+  std::string bytes;
+
+  Outcome<std::string> read() const { return unpacked ? Outcome<std::string>(bytes) : read_file(path, largest_file); }
 };
+
+/// A name that is passed by, with all below it.
+bool passed_by(const std::string& name) {
+  const std::string plain = lower(name);
+  return name.starts_with('.') || plain == "__macosx" || plain == "debug" || plain == "release";
+}
 
 /// Every regular file below `root` in one order on every machine; directories no student writes in are passed by.
 void collect(const fs::path& root, const fs::path& dir, int depth, std::vector<Found>& files,
@@ -77,11 +83,9 @@ void collect(const fs::path& root, const fs::path& dir, int depth, std::vector<F
     if (entry.is_symlink(ec)) {
       notes.push_back(printable(relative) + ": a symbolic link, not followed");
     } else if (entry.is_directory(ec)) {
-      const std::string plain = lower(name);
-      if (name.starts_with('.') || plain == "__macosx" || plain == "debug" || plain == "release") continue;
-      if (depth < deepest) collect(root, entry.path(), depth + 1, files, notes, entries);
+      if (!passed_by(name) && depth < deepest) collect(root, entry.path(), depth + 1, files, notes, entries);
     } else if (entry.is_regular_file(ec) && !name.starts_with('.')) {
-      files.push_back({entry.path(), relative, depth});
+      files.push_back({entry.path(), relative, depth, false, {}});
     }
   }
 }
@@ -94,24 +98,39 @@ const SourceFile* Submission::find(const std::string& file_name) const {
   return nullptr;
 }
 
-Outcome<Submission> open_submission(const fs::path& path) {
-  using Kind = Fault::Kind;
-  std::error_code ec;
-  const auto status = fs::status(path, ec);
-  if (!fs::exists(status)) return Fault{Kind::unreadable, printable(path.string()), "does not exist"};
-  if (!fs::is_directory(status))
-    return Fault{Kind::unreadable, printable(path.string()), "is not a directory; a submission is a directory"};
-  if (fs::directory_iterator(path, ec); ec)
-    return Fault{Kind::unreadable, printable(path.string()), "cannot be read: " + ec.message()};
+namespace {
 
-  Submission s;
-  s.name = printable(fs::weakly_canonical(path, ec).filename().string());
+Outcome<std::vector<Found>> files_of_directory(const fs::path& path, std::vector<std::string>& notes) {
+  std::error_code ec;
+  if (fs::directory_iterator(path, ec); ec)
+    return Fault{Fault::Kind::unreadable, printable(path.string()), "cannot be read: " + ec.message()};
   std::vector<Found> found;
   std::size_t entries = 0;
-  collect(path, path, 0, found, s.notes, entries);
+  collect(path, path, 0, found, notes, entries);
   if (entries > most_entries)
-    s.notes.push_back("more than " + std::to_string(most_entries) + " entries: the rest was not looked at");
-  if (found.empty()) return Fault{Kind::missing, printable(path.string()), "is empty, must hold a submission's files"};
+    notes.push_back("more than " + std::to_string(most_entries) + " entries: the rest was not looked at");
+  return found;
+}
+
+Outcome<std::vector<Found>> files_of_archive(const fs::path& path, std::vector<std::string>& notes) {
+  auto archive = read_archive(path);
+  if (!archive) return archive.fault();
+  Archive read = std::move(archive).value();
+  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+  std::vector<Found> found;
+  for (ArchivedFile& file : read.files) {
+    const fs::path inside(file.path);
+    if (std::any_of(inside.begin(), inside.end(), [](const fs::path& part) { return part != "." && passed_by(part.string()); })) continue;
+    const int depth = int(std::distance(inside.begin(), inside.end())) - 1;
+    if (depth <= deepest) found.push_back({inside.filename(), file.path, depth, true, std::move(file.bytes)});
+  }
+  return found;
+}
+
+/// The submission in these files: expected ones by name, the rest beside them.
+Outcome<Submission> pick_files(std::vector<Found> found, Submission s, const std::string& where) {
+  using Kind = Fault::Kind;
+  if (found.empty()) return Fault{Kind::missing, where, "is empty, must hold a submission's files"};
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.depth < b.depth; });
 
   std::uintmax_t total = 0;
@@ -131,7 +150,7 @@ Outcome<Submission> open_submission(const fs::path& path) {
       s.notes.push_back(shown + ": not used, its name is no name for a source file");
       continue;
     }
-    const auto bytes = read_file(file.path, largest_file);
+    const auto bytes = file.read();
     if (!bytes) {
       s.notes.push_back(shown + ": not used, it " + bytes.fault().what);
       continue;
@@ -152,7 +171,7 @@ Outcome<Submission> open_submission(const fs::path& path) {
   std::stable_sort(s.others.begin(), s.others.end(), by_name);
   const bool any = std::any_of(s.files.begin(), s.files.end(), [](const auto& f) { return f.name != "Constants.h"; });
   if (!any)
-    return Fault{Kind::missing, printable(path.string()),
+    return Fault{Kind::missing, where,
                  "holds none of Cuboid, CollisionPlane, ParticleSystem, MatrixUtils (.h or .cpp)"};
 
   std::string all;
@@ -160,6 +179,47 @@ Outcome<Submission> open_submission(const fs::path& path) {
     for (const SourceFile& f : *list) all += key_of(f.name, f.path, f.text);
   s.hash = sha256(all);
   return s;
+}
+
+/// "Cuboid-1.cpp" of a second upload, "lovelaceada_LATE_12_34_Cuboid.cpp" of Canvas: the file's own name.
+std::string uploaded_name(const std::string& name) {
+  static const std::regex canvas(R"(^[a-z0-9]+(?:_LATE|_late)?_\d+_\d+_(.+)$)"), again(R"(^(.*\w)-\d+(\.\w+)$)");
+  std::smatch match;
+  std::string own = std::regex_match(name, match, canvas) ? match[1].str() : name;
+  return std::regex_match(own, match, again) ? match[1].str() + match[2].str() : own;
+}
+
+}  // namespace
+
+Outcome<Submission> open_submission(const fs::path& path) { return open_submission(std::vector<fs::path>{path}); }
+
+Outcome<Submission> open_submission(const std::vector<fs::path>& paths) {
+  using Kind = Fault::Kind;
+  Submission s;
+  std::vector<Found> found;
+  for (const fs::path& path : paths) {
+    const std::string where = printable(path.string());
+    std::error_code ec;
+    const auto status = fs::status(path, ec);
+    if (!fs::exists(status)) return Fault{Kind::unreadable, where, "does not exist"};
+    if (paths.size() > 1 && fs::is_symlink(path)) return Fault{Kind::unreadable, where, "is a symbolic link"};
+    if (s.name.empty()) s.name = printable(fs::weakly_canonical(path, ec).filename().string());
+    const bool packed = fs::is_regular_file(status) && archive_name(path);
+    if (fs::is_regular_file(status) && !packed && paths.size() == 1 && uploaded_name(path.filename().string()) == path.filename().string())
+      return Fault{Kind::unreadable, where, "is neither a directory nor a .zip, .tar or .tar.gz file"};
+    if (!packed && fs::is_regular_file(status)) {
+      const std::string own = uploaded_name(path.filename().string());
+      const auto bytes = read_file(path, largest_file);
+      if (!bytes) s.notes.push_back(own + ": not used, it " + bytes.fault().what);
+      else found.push_back({own, own, 0, true, *bytes});
+      continue;
+    }
+    if (!packed && !fs::is_directory(status)) return Fault{Kind::unreadable, where, "is neither a directory nor an archive"};
+    auto files = packed ? files_of_archive(path, s.notes) : files_of_directory(path, s.notes);
+    if (!files) return files.fault();
+    for (Found& file : std::move(files).value()) found.push_back(std::move(file));
+  }
+  return pick_files(std::move(found), std::move(s), printable(paths.front().string()));
 }
 
 }  // namespace rigor::grader

@@ -26,10 +26,13 @@ struct Submission {
   const SourceFile* find(const std::string& file_name) const;
 };
 
-/// Reads a directory. Expected files are found by base name at any depth and in any letter case; the window
+/// Reads a directory, or a zip or tar file (in memory, docs/grading.md has the limits). Expected files are found by base name at any depth and in any letter case; the window
 /// program (PBFApp.cpp, main.cpp) is left aside, and so are symbolic links, special files and files over 1 MiB.
 /// Of several with one name the one least deep counts, then the first in alphabetical order; a note says so.
-/// Faults: unreadable (missing, no directory), missing (empty, or none of the expected files).
+/// Faults: unreadable (missing, neither directory nor archive), malformed or out_of_range (the archive), missing (empty,
+/// or none of the expected files).
 Outcome<Submission> open_submission(const std::filesystem::path& path);
+/// One submission in several uploads: single files whose names a platform has lengthened, archives, directories.
+Outcome<Submission> open_submission(const std::vector<std::filesystem::path>& uploads);
 
 }  // namespace rigor::grader

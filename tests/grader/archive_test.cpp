@@ -1,0 +1,222 @@
+#include <archive.h>
+#include <archive_entry.h>
+#include <gtest/gtest.h>
+
+#include <rigor/base/file.hpp>
+#include <rigor/grader/archive.hpp>
+#include <rigor/grader/class_run.hpp>
+#include <rigor/grader/submission.hpp>
+
+namespace rigor::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Packed {
+  std::string path, bytes;
+  unsigned type = AE_IFREG;
+  std::string link = "";
+};
+void pack(const fs::path& to, const std::vector<Packed>& files, bool zip = true) {
+  ::archive* out = archive_write_new();
+  if (zip) {
+    archive_write_set_format_zip(out);
+  } else {
+    archive_write_set_format_pax_restricted(out);
+    archive_write_add_filter_gzip(out);
+  }
+  ASSERT_EQ(archive_write_open_filename(out, to.c_str()), ARCHIVE_OK);
+  for (const Packed& file : files) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, file.path.c_str());
+    archive_entry_set_filetype(entry, file.type);
+    archive_entry_set_perm(entry, 0644);
+    archive_entry_set_size(entry, la_int64_t(file.bytes.size()));
+    if (file.type == AE_IFLNK) archive_entry_set_symlink(entry, file.link.c_str());
+    ASSERT_EQ(archive_write_header(out, entry), ARCHIVE_OK) << archive_error_string(out);
+    archive_write_data(out, file.bytes.data(), file.bytes.size());
+    archive_entry_free(entry);
+  }
+  archive_write_free(out);
+}
+std::string sample(const std::string& file) { return *read_file(fs::path(RIGOR_SOURCE_DIR) / "tests/submissions/right/expressions" / file); }
+bool noted(const std::vector<std::string>& notes, const std::string& part) {
+  for (const std::string& note : notes)
+    if (note.find(part) != std::string::npos) return true;
+  return false;
+}
+
+class ArchivedSubmission : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    root = fs::temp_directory_path() / ("rigor-archive-test-" + std::to_string(::getpid()));
+    fs::remove_all(root);
+    fs::create_directories(root / "in");
+  }
+  void TearDown() override { fs::remove_all(root); }
+  std::vector<Packed> good(const std::string& below = "") {
+    std::vector<Packed> files;
+    for (const auto& item : fs::directory_iterator(fs::path(RIGOR_SOURCE_DIR) / "tests/submissions/right/expressions"))
+      if (item.is_regular_file()) files.push_back({below + item.path().filename().string(), *read_file(item.path())});
+    return files;
+  }
+  fs::path root;
+};
+
+// One rule for every way of handing in: the same files are the same submission.
+TEST_F(ArchivedSubmission, HasTheHashOfTheSameFilesInADirectory) {
+  const auto plain = open_submission(fs::path(RIGOR_SOURCE_DIR) / "tests/submissions/right/expressions");
+  ASSERT_TRUE(plain);
+  for (const bool zip : {true, false}) {
+    const fs::path file = root / (zip ? "ada.zip" : "ada.tar.gz");
+    pack(file, good(), zip);
+    const auto packed = open_submission(file);
+    ASSERT_TRUE(packed) << packed.fault().text();
+    EXPECT_EQ(packed->hash, plain->hash);
+    EXPECT_EQ(packed->files.size(), plain->files.size());
+  }
+}
+
+TEST_F(ArchivedSubmission, LeavesAsideWhatLeadsOutOfItWithANote) {
+  auto files = good("work/");
+  files.push_back({"../../etc/Cuboid.cpp", "evil"});
+  files.push_back({"/tmp/CollisionPlane.cpp", "evil"});
+  files.push_back({"a/../../MatrixUtils.cpp", "evil"});
+  files.push_back({"work/link.cpp", "", AE_IFLNK, "/etc/passwd"});
+  files.push_back({"__MACOSX/Cuboid.cpp", "resource fork"});
+  files.push_back({"work/two\nlines \"and\" <b>.cpp", "int x;"});
+  const fs::path file = root / "evil.zip";
+  pack(file, files);
+  const auto packed = open_submission(file);
+  ASSERT_TRUE(packed) << packed.fault().text();
+  EXPECT_EQ(packed->find("Cuboid.cpp")->text, sample("Cuboid.cpp"));
+  for (const char* part : {"etc/Cuboid.cpp: not used, its path leads out", "tmp/CollisionPlane.cpp: not used", "a/../../MatrixUtils.cpp: not used", "link.cpp: a link"})
+    EXPECT_TRUE(noted(packed->notes, part)) << part;
+  for (const std::string& note : packed->notes) EXPECT_EQ(note.find('\n'), std::string::npos);
+  EXPECT_FALSE(fs::exists("/tmp/CollisionPlane.cpp"));
+}
+
+TEST_F(ArchivedSubmission, IsNotReadToItsEndWhenItIsABomb) {
+  std::vector<Packed> many = good();
+  for (int k = 0; k < 70; ++k) many.push_back({"pad" + std::to_string(k) + ".h", std::string(1u << 20, ' ')});
+  pack(root / "bomb.zip", many);
+  EXPECT_LT(fs::file_size(root / "bomb.zip"), 1u << 20) << "70 MiB in less than one";
+  EXPECT_EQ(open_submission(root / "bomb.zip").fault().kind, Fault::Kind::out_of_range);
+
+  pack(root / "one.zip", {{"Cuboid.cpp", std::string(40u << 20, 'x')}});
+  const auto one = open_submission(root / "one.zip");
+  ASSERT_FALSE(one);
+  EXPECT_EQ(one.fault().kind, Fault::Kind::missing) << "a file of 40 MiB is left aside, and nothing is left";
+
+  ArchiveLimits few;
+  few.entries = 3;
+  EXPECT_EQ(read_archive(root / "bomb.zip", few).fault().kind, Fault::Kind::out_of_range);
+  few = {};
+  few.packed_bytes = 100;
+  EXPECT_EQ(read_archive(root / "bomb.zip", few).fault().kind, Fault::Kind::out_of_range);
+}
+
+TEST_F(ArchivedSubmission, SaysWhenItIsNoArchiveOrDamaged) {
+  EXPECT_TRUE(write_file(root / "text.zip", "this is no archive"));
+  EXPECT_EQ(open_submission(root / "text.zip").fault().kind, Fault::Kind::malformed);
+  pack(root / "cut.tar.gz", good(), false);
+  const std::string bytes = *read_file(root / "cut.tar.gz");
+  EXPECT_TRUE(write_file(root / "cut.tar.gz", bytes.substr(0, bytes.size() / 2)));
+  EXPECT_EQ(open_submission(root / "cut.tar.gz").fault().kind, Fault::Kind::malformed);
+  EXPECT_TRUE(write_file(root / "note.txt", "x"));
+  EXPECT_EQ(open_submission(root / "note.txt").fault().kind, Fault::Kind::unreadable);
+}
+
+// Every byte of an archive may be hostile: whatever comes, an answer and no crash.
+TEST_F(ArchivedSubmission, AnswersWhateverByteIsChanged) {
+  pack(root / "a.zip", good());
+  const std::string bytes = *read_file(root / "a.zip");
+  std::uint64_t random = 88172645463325252u;
+  for (int k = 0; k < 300; ++k) {
+    std::string changed = bytes;
+    for (int n = 0; n < 1 + k % 4; ++n) {
+      random ^= random << 13, random ^= random >> 7, random ^= random << 17;
+      changed[random % changed.size()] = char(random >> 32);
+    }
+    EXPECT_TRUE(write_file(root / "changed.zip", changed));
+    const auto read = read_archive(root / "changed.zip");
+    if (!read) {
+      EXPECT_TRUE(read.fault().kind == Fault::Kind::malformed || read.fault().kind == Fault::Kind::out_of_range);
+    }
+  }
+}
+
+TEST_F(ArchivedSubmission, OfAClassIsReadInEveryLayout) {
+  pack(root / "in" / "ada@x.edu_3_handin.zip", good());
+  pack(root / "in" / "ada@x.edu_12_handin.tar.gz", good("late/"), false);
+  for (const char* file : {"Cuboid.cpp", "CollisionPlane.cpp"}) {
+    EXPECT_TRUE(write_file(root / "in" / (std::string("lovelaceada_LATE_77_12_") + file), sample(file)));
+  }
+  EXPECT_TRUE(write_file(root / "in" / "lovelaceada_LATE_77_14_ParticleSystem-1.cpp", sample("ParticleSystem.cpp")));
+  fs::create_directories(root / "in" / "Grace Hopper_4711_assignsubmission_file_");
+  EXPECT_TRUE(write_file(root / "in" / "readme.txt", "not a submission"));
+  const auto roster = read_roster(root / "in");
+  ASSERT_TRUE(roster);
+  ASSERT_EQ(roster->size(), 3u);
+  EXPECT_EQ((*roster)[0].student, "Grace Hopper");
+  EXPECT_EQ((*roster)[1].student, "ada@x.edu");
+  EXPECT_EQ((*roster)[1].version, 12);
+  EXPECT_EQ((*roster)[2].student, "lovelaceada_77");
+  EXPECT_TRUE((*roster)[2].late);
+  ASSERT_EQ((*roster)[2].uploads.size(), 3u);
+  const auto submission = open_submission((*roster)[2].uploads);
+  ASSERT_TRUE(submission) << submission.fault().text();
+  for (const char* file : {"Cuboid.cpp", "CollisionPlane.cpp", "ParticleSystem.cpp"}) EXPECT_NE(submission->find(file), nullptr) << file;
+
+  // the same class as one file, as Canvas hands it out
+  std::vector<Packed> all;
+  for (const auto& item : fs::directory_iterator(root / "in"))
+    if (item.is_regular_file()) all.push_back({item.path().filename().string(), *read_file(item.path())});
+  pack(root / "class.zip", all);
+  ASSERT_TRUE(unpack_class(root / "class.zip", root / "unpacked"));
+  EXPECT_EQ(read_roster(root / "unpacked")->size(), 2u);
+}
+
+ClassRow graded(const std::string& student, double score, std::map<std::string, std::string> verdicts = {}) {
+  ClassRow row;
+  row.entry.student = student;
+  row.score = score;
+  row.max_score = 100;
+  row.verdicts = std::move(verdicts);
+  row.rubric_hash = "r1";
+  return row;
+}
+
+TEST_F(ArchivedSubmission, GradebooksAreFilledInAndNothingElseChanges) {
+  const std::vector<ClassRow> rows{graded("ada@x.edu", 87.5), graded("lovelaceada_77", 100)};
+  const std::string canvas = "Student,ID,SIS Login ID,Section,Rigid (12)\n    Points Possible,,,,100\n\"Lovelace, Ada\",77,ada2,\"A \"\"1\"\"\",\nNobody,78,nobody,B,3\n";
+  EXPECT_TRUE(write_file(root / "canvas.csv", canvas));
+  const auto filled = fill_gradebook(root / "canvas.csv", "Rigid (12)", rows);
+  ASSERT_TRUE(filled) << filled.fault().text();
+  EXPECT_EQ(filled->csv, "Student,ID,SIS Login ID,Section,Rigid (12)\n    Points Possible,,,,100\n\"Lovelace, Ada\",77,ada2,\"A \"\"1\"\"\",100\nNobody,78,nobody,B,3\n");
+  EXPECT_EQ(filled->filled, 1);
+  EXPECT_EQ(filled->unmatched, 2);
+
+  EXPECT_TRUE(write_file(root / "moodle.csv", "Identifier,Full name,Email address,Grade\nParticipant 1,Ada,ada@x.edu,\n"));
+  EXPECT_EQ(fill_gradebook(root / "moodle.csv", "", rows)->csv, "Identifier,Full name,Email address,Grade\nParticipant 1,Ada,ada@x.edu,87.5\n");
+  EXPECT_TRUE(write_file(root / "autolab.csv", "ada@x.edu,0\nbob@x.edu,5\n"));
+  EXPECT_EQ(fill_gradebook(root / "autolab.csv", "", rows)->csv, "ada@x.edu,87.5\nbob@x.edu,5\n");
+
+  const auto wrong = fill_gradebook(root / "canvas.csv", "Rigid (13)", rows);
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.fault().text().find("did you mean 'Rigid (12)'?"), std::string::npos) << wrong.fault().text();
+  EXPECT_TRUE(write_file(root / "broken.csv", "ID,Grade\n\"77,3\n"));
+  EXPECT_EQ(fill_gradebook(root / "broken.csv", "", rows).fault().kind, Fault::Kind::malformed);
+}
+
+TEST(Changes, NameWhatMovedAndWhy) {
+  ClassRow before = graded("ada", 90, {{"force.sum", "fail"}}), after = graded("ada", 100, {{"force.sum", "pass"}});
+  after.rubric_hash = "r2";
+  const auto list = changes({before, graded("same", 5)}, {after, graded("same", 5)});
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].why, "other rubric; force.sum fail -> pass");
+  EXPECT_EQ(changes_csv(list), "student,before,after,why\nada,90,100,other rubric; force.sum fail -> pass\n");
+}
+
+}  // namespace
+}  // namespace rigor::grader
