@@ -53,8 +53,9 @@ int class_command(const Options& options) {
     const std::filesystem::path unpacked = out / ".unpacked";
     std::error_code ec;
     std::filesystem::remove_all(unpacked, ec);
-    if (const auto done = grader::unpack_class(directory, unpacked); !done) return bad_input(done.fault().text());
-    directory = unpacked;
+    const auto done = grader::unpack_class(directory, unpacked);
+    if (!done) return bad_input(done.fault().text());
+    directory = *done;
   }
   const auto entries = grader::read_roster(directory);
   if (!entries) return bad_input(entries.fault().text());

@@ -11,13 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double most_times = 200;  // text packs 5 to 20 times, a bomb a thousand
+
 struct Close {
   void operator()(::archive* a) const { archive_read_free(a); }
 };
 
 // Relative, every part a plain name: what may be shown and matched without meaning another place.
 bool stays_inside(const std::string& path) {
-  if (path.empty() || path.front() == '/' || path.find('\\') != std::string::npos) return false;
+  if (path.empty() || path.front() == '/' || path.find(':') == 1) return false;
   const fs::path parts(path);
   return std::none_of(parts.begin(), parts.end(), [](const fs::path& part) { return part == ".."; });
 }
@@ -55,7 +57,7 @@ Outcome<Archive> read_archive(const fs::path& path, const ArchiveLimits& limits)
   if (archive_read_open_filename(in.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) return malformed();
 
   Archive archive;
-  std::uint64_t kept = 0;
+  std::uint64_t kept = 0, declared_all = 0;
   std::size_t entries = 0;
   for (;;) {
     archive_entry* entry = nullptr;
@@ -65,12 +67,20 @@ Outcome<Archive> read_archive(const fs::path& path, const ArchiveLimits& limits)
     if (++entries > limits.entries) return too_large(path, "has more than " + std::to_string(limits.entries) + " entries");
     // what lies between headers is unpacked too where the whole file is compressed as one stream
     if (archive_filter_bytes(in.get(), 0) > std::int64_t(4 * limits.unpacked_bytes)) return too_large(path, "unpacks to too much");
-    const char* name = archive_entry_pathname(entry);
-    const std::string shown = printable(name != nullptr ? name : "");
+    const char* raw = archive_entry_pathname(entry);
+    std::string name = raw != nullptr ? raw : "";
+    std::replace(name.begin(), name.end(), '\\', '/');  // packed on Windows
+    const std::string shown = printable(name);
     if (archive_entry_filetype(entry) == AE_IFDIR) continue;
+    // passing by a member of a tar.gz unpacks it all the same
+    const std::int64_t declared = archive_entry_size_is_set(entry) != 0 ? archive_entry_size(entry) : 0;
+    if (declared > std::int64_t(4 * limits.unpacked_bytes)) return too_large(path, "unpacks to too much");
+    declared_all += std::uint64_t(std::max<std::int64_t>(0, declared));
+    if (declared_all > 4u << 20 && double(declared_all) > most_times * double(packed))
+      return too_large(path, "unpacks to more than " + std::to_string(int(most_times)) + " times its size");
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr) {
       archive.notes.push_back(shown + ": a link or special file, not used");
-    } else if (name == nullptr || !stays_inside(name)) {
+    } else if (!stays_inside(name)) {
       archive.notes.push_back(shown + ": not used, its path leads out of the archive");
     } else if (archive_entry_is_encrypted(entry) != 0) {
       archive.notes.push_back(shown + ": not used, it is encrypted");

@@ -30,7 +30,8 @@ bool archive_name(const std::filesystem::path& path);
 
 /// Reads a zip or tar file. Symbolic and hard links, special files, absolute paths, paths with ".." and encrypted files
 /// are left aside with a note.
-/// Faults: unreadable; malformed (no archive, damaged); out_of_range (over a limit: a bomb is not read to its end).
+/// Faults: unreadable; malformed (no archive, damaged); out_of_range (over a limit, or from 4 MiB
+/// on to more than 200 times its size: a bomb is not read to its end).
 Outcome<Archive> read_archive(const std::filesystem::path& path, const ArchiveLimits& limits = {});
 
 }  // namespace rigor::grader

@@ -34,15 +34,15 @@ std::string without_archive_ending(std::string name) {
 std::optional<Entry> entry_of(const fs::directory_entry& item) {
   static const std::regex autolab(R"(^([^_@\s]+@[^_\s]+)_(\d+)_.*$)");
   static const std::regex canvas(R"(^([a-z0-9]+)(_LATE|_late)?_(\d+)_(\d+)_.*$)");
-  static const std::regex moodle(R"(^(.+)_\d+_assignsubmission_file_?$)");
+  static const std::regex moodle(R"(^(.+)_(\d+)_assignsubmission_file_?$)");
   const fs::path& path = item.path();
   const bool packed = item.is_regular_file() && archive_name(path);
   const std::string name = packed ? without_archive_ending(path.filename().string()) : path.filename().string();
   std::smatch match;
   if (std::regex_match(name, match, canvas)) return Entry{match[1].str() + "_" + match[3].str(), {path}, 0, 1, match[2].matched};
-  if (!packed && !item.is_directory()) return std::nullopt;  // a loose file has an owner only where Canvas names it
   if (std::regex_match(name, match, autolab)) return Entry{match[1], {path}, std::atoi(match[2].str().c_str()), 1, false};
-  if (std::regex_match(name, match, moodle)) return Entry{match[1], {path}, 0, 1, false};
+  if (!packed && !item.is_directory()) return std::nullopt;  // a loose file has an owner only where its name says so
+  if (std::regex_match(name, match, moodle)) return Entry{match[1].str() + "_" + match[2].str(), {path}, 0, 1, false};  // names occur twice
   if (name.rfind("submission_", 0) == 0) return Entry{gradescope_name(path.parent_path(), name), {path}, 0, 1, false};
   return Entry{name, {path}, 0, 1, false};
 }
@@ -90,13 +90,19 @@ Outcome<std::vector<Entry>> read_roster(const fs::path& directory) {
   return list;
 }
 
-Outcome<bool> unpack_class(const fs::path& archive, const fs::path& to) {
+Outcome<fs::path> unpack_class(const fs::path& archive, const fs::path& to) {
   const ArchiveLimits limits{.packed_bytes = 512u << 20, .unpacked_bytes = 512u << 20, .file_bytes = 64u << 20, .entries = 200000};
   const auto read = read_archive(archive, limits);
   if (!read) return read.fault();
   for (const ArchivedFile& file : read->files)
     if (const auto written = write_file(to / file.path, file.bytes); !written) return written.fault();
-  return true;
+  std::error_code ec;
+  const std::vector<fs::directory_entry> top(fs::directory_iterator(to, ec), {});
+  if (top.size() != 1 || !top[0].is_directory()) return to;
+  const auto students = std::count_if(fs::directory_iterator(top[0], ec), {}, [](const fs::directory_entry& e) {
+    return e.is_directory() || archive_name(e.path());
+  });
+  return students > 1 ? top[0].path() : to;
 }
 
 }  // namespace rigor::grader

@@ -23,7 +23,8 @@ struct Entry {
 Outcome<std::vector<Entry>> read_roster(const std::filesystem::path& directory);
 
 /// A whole class in one zip or tar file, as platforms hand it out: its files below `to`, which must not exist or be
-/// empty. Faults: those of read_archive, unwritable.
-Outcome<bool> unpack_class(const std::filesystem::path& archive, const std::filesystem::path& to);
+/// empty. Gives the directory to read: `to`, or the only one in it where that holds several directories or archives.
+/// Faults: those of read_archive, unwritable.
+Outcome<std::filesystem::path> unpack_class(const std::filesystem::path& archive, const std::filesystem::path& to);
 
 }  // namespace rigor::grader

@@ -181,11 +181,17 @@ Outcome<Submission> pick_files(std::vector<Found> found, Submission s, const std
   return s;
 }
 
+bool is_expected(const Found& file) {
+  const std::string base = lower(file.path.filename().string());
+  return base != "constants.h" && std::any_of(expected.begin(), expected.end(), [&](const char* e) { return lower(e) == base; });
+}
+
 /// "Cuboid-1.cpp" of a second upload, "lovelaceada_LATE_12_34_Cuboid.cpp" of Canvas: the file's own name.
 std::string uploaded_name(const std::string& name) {
-  static const std::regex canvas(R"(^[a-z0-9]+(?:_LATE|_late)?_\d+_\d+_(.+)$)"), again(R"(^(.*\w)-\d+(\.\w+)$)");
+  static const std::regex canvas(R"(^[a-z0-9]+(?:_LATE|_late)?_\d+_\d+_(.+)$)"), again(R"(^(.*\w)-\d+(\.\w+)$)"),
+      autolab(R"(^[^_@\s]+@[^_\s]+_\d+_(.+)$)");
   std::smatch match;
-  std::string own = std::regex_match(name, match, canvas) ? match[1].str() : name;
+  std::string own = std::regex_match(name, match, canvas) || std::regex_match(name, match, autolab) ? match[1].str() : name;
   return std::regex_match(own, match, again) ? match[1].str() + match[2].str() : own;
 }
 
@@ -217,6 +223,13 @@ Outcome<Submission> open_submission(const std::vector<fs::path>& paths) {
     if (!packed && !fs::is_directory(status)) return Fault{Kind::unreadable, where, "is neither a directory nor an archive"};
     auto files = packed ? files_of_archive(path, s.notes) : files_of_directory(path, s.notes);
     if (!files) return files.fault();
+    if (!packed && std::none_of(files->begin(), files->end(), is_expected))  // a folder around the archive that counts
+      for (const Found& file : *files)
+        if (archive_name(file.path)) {
+          s.notes.push_back("unpacked from " + printable(file.relative));
+          if (files = files_of_archive(file.path, s.notes); !files) return files.fault();
+          break;
+        }
     for (Found& file : std::move(files).value()) found.push_back(std::move(file));
   }
   return pick_files(std::move(found), std::move(s), printable(paths.front().string()));

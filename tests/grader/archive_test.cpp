@@ -106,7 +106,9 @@ TEST_F(ArchivedSubmission, IsNotReadToItsEndWhenItIsABomb) {
   pack(root / "one.zip", {{"Cuboid.cpp", std::string(40u << 20, 'x')}});
   const auto one = open_submission(root / "one.zip");
   ASSERT_FALSE(one);
-  EXPECT_EQ(one.fault().kind, Fault::Kind::missing) << "a file of 40 MiB is left aside, and nothing is left";
+  EXPECT_EQ(one.fault().kind, Fault::Kind::out_of_range);
+  pack(root / "two.zip", {{"Cuboid.cpp", std::string(2u << 20, 'x')}});
+  EXPECT_EQ(open_submission(root / "two.zip").fault().kind, Fault::Kind::missing) << "a file of 2 MiB is left aside, and nothing is left";
 
   ArchiveLimits few;
   few.entries = 3;
@@ -158,7 +160,7 @@ TEST_F(ArchivedSubmission, OfAClassIsReadInEveryLayout) {
   const auto roster = read_roster(root / "in");
   ASSERT_TRUE(roster);
   ASSERT_EQ(roster->size(), 3u);
-  EXPECT_EQ((*roster)[0].student, "Grace Hopper");
+  EXPECT_EQ((*roster)[0].student, "Grace Hopper_4711") << "two may have one name";
   EXPECT_EQ((*roster)[1].student, "ada@x.edu");
   EXPECT_EQ((*roster)[1].version, 12);
   EXPECT_EQ((*roster)[2].student, "lovelaceada_77");
@@ -175,6 +177,52 @@ TEST_F(ArchivedSubmission, OfAClassIsReadInEveryLayout) {
   pack(root / "class.zip", all);
   ASSERT_TRUE(unpack_class(root / "class.zip", root / "unpacked"));
   EXPECT_EQ(read_roster(root / "unpacked")->size(), 2u);
+}
+
+TEST_F(ArchivedSubmission, PackedOnWindowsHasItsOwnPathSeparator) {
+  pack(root / "a.zip", {{"Assignment\\Cuboid.cpp", "int a;"}, {"Assignment\\..\\..\\CollisionPlane.cpp", "x"}, {"C:\\MatrixUtils.cpp", "x"}});
+  const auto s = open_submission(root / "a.zip");
+  ASSERT_TRUE(s) << s.fault().text();
+  EXPECT_NE(s->find("Cuboid.cpp"), nullptr);
+  EXPECT_EQ(s->files.size(), 1u);
+  EXPECT_TRUE(noted(s->notes, "CollisionPlane.cpp: not used, its path leads out"));
+}
+
+TEST_F(ArchivedSubmission, AloneInAFolderStandsForIt) {
+  fs::create_directories(root / "in" / "ada");
+  pack(root / "in" / "ada" / "work.zip", good("work/"));
+  EXPECT_TRUE(write_file(root / "in" / "ada" / "readme.txt", "x"));
+  const auto s = open_submission(root / "in" / "ada");
+  ASSERT_TRUE(s) << s.fault().text();
+  EXPECT_EQ(s->name, "ada");
+  EXPECT_TRUE(noted(s->notes, "unpacked from work.zip"));
+}
+
+// A member that is passed by is unpacked all the same where the whole tar is one compressed stream.
+TEST_F(ArchivedSubmission, IsRefusedForWhatItWouldOnlyPassBy) {
+  auto files = good();
+  files.push_back({"film.bin", std::string(32u << 20, '\0')});
+  for (const bool zip : {true, false}) {
+    pack(root / "bomb", files, zip);
+    fs::rename(root / "bomb", root / "bomb.zip");
+    const auto s = open_submission(root / "bomb.zip");
+    ASSERT_FALSE(s);
+    EXPECT_EQ(s.fault().kind, Fault::Kind::out_of_range);
+    EXPECT_NE(s.fault().text().find("more than 200 times its size"), std::string::npos) << s.fault().text();
+  }
+}
+
+TEST_F(ArchivedSubmission, OfAClassMayBeWrappedInOneDirectoryAndLooseFromAutolab) {
+  pack(root / "class.zip", {{"submissions/bob@x.edu_1_Cuboid.cpp", "int a;"}, {"submissions/ada/Cuboid.cpp", "x"}, {"submissions/eve/Cuboid.cpp", "x"}});
+  const auto place = unpack_class(root / "class.zip", root / "unpacked");
+  ASSERT_TRUE(place);
+  const auto roster = read_roster(*place);
+  ASSERT_TRUE(roster);
+  ASSERT_EQ(roster->size(), 3u);
+  EXPECT_EQ((*roster)[1].student, "bob@x.edu");
+  const auto bob = open_submission((*roster)[1].uploads);
+  ASSERT_TRUE(bob) << bob.fault().text();
+  EXPECT_NE(bob->find("Cuboid.cpp"), nullptr);
 }
 
 ClassRow graded(const std::string& student, double score, std::map<std::string, std::string> verdicts = {}) {

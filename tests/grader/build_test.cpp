@@ -60,7 +60,7 @@ TEST(Submission, ThatIsNoneIsOneFault) {
   EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("is empty"));
   dir.write("notes.txt", "x");
   EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("holds none of Cuboid, CollisionPlane"));
-  EXPECT_THAT(open_submission(dir.path / "notes.txt").fault().text(), HasSubstr("is not a directory"));
+  EXPECT_THAT(open_submission(dir.path / "notes.txt").fault().text(), HasSubstr("is neither a directory nor a .zip"));
 }
 
 TEST(Submission, HashFollowsEveryByteAndNothingElse) {
