@@ -1,8 +1,7 @@
 #pragma once
 #include <functional>
-#include <rigor/integrators/method.hpp>
-#include <rigor/scene/ledger.hpp>
 #include <rigor/scene/scene.hpp>
+#include <rigor/scene/world.hpp>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct RunSummary {
 /// to end at `until` exactly; a remainder below 1e-9 of a step is joined to the step before it.
 ///
 /// Friction acts on planes only, pairs have the normal impulse (as the assignment asks). Contact points of a pair: the
-/// centroid of the manifold, or the handed-out corner.
-RunSummary simulate(const Scene& scene, const Observer& observe);
+/// centroid of the manifold, or the handed-out corner. Impacts are told as they happen, before the `observe` of their step.
+RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact = {});
 
 }  // namespace rigor
