@@ -3,6 +3,7 @@
 #include <rigor/cli/commands.hpp>
 #include <rigor/cli/demo.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/cli/export.hpp>
 #include <rigor/cli/grade.hpp>
 #include <rigor/cli/run.hpp>
 #include <rigor/cli/study.hpp>
@@ -15,6 +16,7 @@ void add_commands(CLI::App& app, int& exit_status) {
   add_grade(app, exit_status);
   add_class(app, exit_status);
   add_audit(app, exit_status);
+  add_export(app, exit_status);
   add_run(app, exit_status);
   add_study(app, exit_status);
   add_verify(app, exit_status);

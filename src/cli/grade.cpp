@@ -60,6 +60,16 @@ Outcome<bool> write_formats(const grader::Report& report, const Options& options
   return true;
 }
 
+// What a platform finds when the grader could not finish, or was killed: written first, replaced at the end.
+Outcome<bool> write_failures(const std::string& why, const Options& options) {
+  for (const std::string& name : options.formats) {
+    if (name != "gradescope" && name != "autolab") continue;
+    const std::string text = name == "autolab" ? grader::autolab_failure(why) : grader::gradescope_failure(why);
+    if (const auto written = write_file(std::filesystem::path(options.out) / find_format(name)->file, text); !written) return written;
+  }
+  return true;
+}
+
 Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const Options& options) {
   const auto submission = grader::open_submission(path);
   if (!submission) return submission.fault();
@@ -101,9 +111,14 @@ int grade_command(const Options& options) {
   int graded = 0;
   const bool colour = isatty(STDOUT_FILENO) != 0;
   for (const std::string& path : options.paths) {
+    const bool for_a_platform = !options.out.empty() && options.paths.size() == 1;
+    if (for_a_platform)
+      if (const auto written = write_failures("the grader did not finish", options); !written) return bad_input(written.fault().text());
     const auto report = grade_one(path, rubric, options);
     if (!report) {
       std::fprintf(stderr, "rigor grade: %s\n", report.fault().text().c_str());
+      if (for_a_platform)
+        if (const auto written = write_failures(report.fault().text(), options); !written) return bad_input(written.fault().text());
       if (autolab) std::fputs(grader::autolab_failure(report.fault().text()).c_str(), stdout);
       continue;
     }

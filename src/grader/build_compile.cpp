@@ -137,7 +137,7 @@ Compilation compile(const Toolchain& tools, const Workshop& workshop, const std:
   std::vector<std::string> argv{tools.compiler.string()};
   argv.insert(argv.end(), tools.flags.begin(), tools.flags.end());
   argv.insert(argv.end(), arguments.begin(), arguments.end());
-  return run(std::move(argv), workshop.src(), {tools.kit, workshop.src()}, {workshop.out()});
+  return run(std::move(argv), workshop.src(), {tools.kit, tools.eigen, workshop.src()}, {workshop.out()});
 }
 
 Outcome<Toolchain> toolchain(const fs::path& cache, bool sanitize) {
@@ -146,9 +146,12 @@ Outcome<Toolchain> toolchain(const fs::path& cache, bool sanitize) {
   tools.compiler = first_that_exists({"/usr/bin/g++", "/usr/local/bin/g++"});
   if (tools.compiler.empty())
     return Fault{Kind::unsupported, "", "submissions need g++, which is not installed (package g++)"};
-  tools.eigen = first_that_exists({"/usr/include/eigen3", "/usr/local/include/eigen3"});
+  const char* bundled = std::getenv("RIGOR_EIGEN");  // an exported grader brings it
+  tools.eigen = first_that_exists({bundled != nullptr ? bundled : "", "/usr/include/eigen3", "/usr/local/include/eigen3"});
   if (tools.eigen.empty())
     return Fault{Kind::unsupported, "", "submissions need Eigen, which is not installed (package libeigen3-dev)"};
+  if (const fs::path closed = closed_to_confined(tools.eigen); !closed.empty())
+    return Fault{Kind::unreadable, tools.eigen.string(), "the compiler runs as nobody, who may not pass through " + closed.string()};
   if (const auto usable = open_directory(cache); !usable) return usable.fault();
   tools.cache = cache;
 

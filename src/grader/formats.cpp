@@ -98,6 +98,11 @@ std::string report_gradescope(const Report& report) {
   return written(json, 2) + "\n";
 }
 
+std::string gradescope_failure(const std::string& why) {
+  const Json test{{"name", "grading"}, {"score", 0}, {"max_score", 1}, {"status", "failed"}, {"output", why}, {"output_format", "text"}, {"visibility", "visible"}};
+  return written(Json{{"score", 0}, {"stdout_visibility", "hidden"}, {"tests", Json::array({test})}}, 2) + "\n";
+}
+
 std::string report_autolab(const Report& report) {
   Json feedback{{"_presentation", "semantic"}, {"stages", Json::array({"Build"})}};
   bool compiles = true;

@@ -79,6 +79,7 @@ SystemCallFilter worker_filter(pid_t self) {
       SYS_clock_gettime, SYS_clock_getres, SYS_clock_nanosleep, SYS_nanosleep, SYS_gettimeofday,    // time
       SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack,                      // its own signals
       SYS_getpid, SYS_gettid, SYS_getuid, SYS_getrandom, SYS_futex, SYS_sched_yield,
+      SYS_uname,  // a static program of an older C library asks for the kernel before anything else
       SYS_wait4,   // bubblewrap waits for the program under the same filter
       SYS_execve,  // once, by whoever starts it; there is nothing else to execute
       SYS_set_tid_address, SYS_set_robust_list, SYS_rseq, SYS_exit, SYS_exit_group,

@@ -110,6 +110,15 @@ TEST(Worker, QuotesWhatIsPrintedAndKeepsItShort) {
   EXPECT_EQ(worker.take_output().size(), 64u << 10);
 }
 
+// Without an answer to uname() a program linked with glibc 2.31 (Debian 11, Ubuntu 20.04) aborts before main.
+TEST(Worker, LetsAnOlderCLibraryAskForTheKernel) {
+  const BuildResult b = tangent_program("struct utsname u; return V3D(uname(&u), 0, 1);", "#include <sys/utsname.h>\n");
+  Worker worker(b.executable, {});
+  const Answer answer = worker.call(generic(Function::friction_tangent));
+  ASSERT_EQ(kind_of(answer), "reply");
+  EXPECT_THAT(std::get<Reply>(answer).vector, ElementsAre(0, 0, 1));
+}
+
 TEST(Worker, SaysThatAFunctionIsAbsent) {
   const Directory dir;
   std::string header = *read_file(fs::path(RIGOR_SOURCE_DIR) / "src/kit/handout/CollisionPlane.h");
