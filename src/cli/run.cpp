@@ -5,6 +5,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/run.hpp>
+#include <rigor/engine/located.hpp>
 #include <rigor/scene/trajectory.hpp>
 
 namespace rigor::cli {
@@ -24,14 +25,20 @@ int bad_input(const Fault& fault) {
 
 void print(const Scene& scene, const RunSummary& run, double wall) {
   const Ledger& l = run.ledger;
-  std::printf("%s: %zu cuboids, %zu planes, method %s, dt %g s, %ld steps to t = %g s in %.3f s\n", scene.name.c_str(), scene.bodies.size(),
-              scene.planes.size(), scene.method.c_str(), scene.dt, run.steps, run.t_end, wall);
+  const bool located = scene.method == "located";
+  std::printf("%s: %zu cuboids, %zu planes, method %s, ", scene.name.c_str(), scene.bodies.size(), scene.planes.size(), scene.method.c_str());
+  if (!located) std::printf("dt %g s, ", scene.dt);
+  std::printf("%ld %s to t = %g s in %.3f s\n", run.steps, located ? "advances" : "steps", run.t_end, wall);
   std::printf("  energy             %12.6g -> %-12.6g J   work %.4g, restitution lost %.4g, friction lost %.4g, correction %.4g\n", l.energy.start,
               l.energy.end, l.energy.work, l.energy.restitution_loss, l.energy.friction_loss, l.energy.correction);
   std::printf("  unexplained, worst %12.3g J         linear momentum %.3g N s   angular momentum %.3g kg m^2/s\n", l.energy.worst_drift,
               l.linear.worst_drift, l.angular.worst_drift);
   std::printf("  impacts            %12ld           planes %ld, pairs %ld; %ld with more energy after than before\n", l.impacts, l.plane_impacts,
               l.pair_impacts, l.energy_rises);
+  for (const Accumulation& a : run.accumulations)
+    std::printf("  bounces ended      cuboid %zu at t = %.9g s; the ones left out would have taken %.2g s\n", a.body, a.at, a.tail);
+  for (const HandOver& h : run.handed_over)
+    std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s: %s\n", h.body, h.from, h.to, h.why.c_str());
   std::printf("  deepest overlap    %12.3g m         rotation matrices off orthonormal by %.2g\n", l.deepest_penetration, l.worst_orthonormality);
 }
 
@@ -48,9 +55,12 @@ int run_command(const Options& options) {
   TrajectoryCsv csv(scene.bodies.size());
   const bool keep = !options.out.empty();
   const auto start = std::chrono::steady_clock::now();
-  const RunSummary run = simulate(scene, [&](double t, const std::vector<State<double>>& states) {
+  const Observer observe = [&](double t, const std::vector<State<double>>& states) {
     if (keep) csv.add(t, states);
-  });
+  };
+  const auto done = scene.method == "located" ? simulate_located(scene, observe) : Outcome<RunSummary>(simulate(scene, observe));
+  if (!done) return bad_input(done.fault());
+  const RunSummary run = *done;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::string summary = summary_json(scene, run, wall);
   if (keep) {
@@ -60,6 +70,10 @@ int run_command(const Options& options) {
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
   else if (!options.quiet) print(scene, run, wall);
+  if (!run.stopped.empty()) {
+    std::fprintf(stderr, "rigor run: stopped at t = %g s: %s\n", run.t_end, run.stopped.c_str());
+    return 1;
+  }
   if (!run.finite) {
     std::fprintf(stderr, "rigor run: a number stopped being finite at t = %g s; the step is too long for this scene and method\n", run.t_end);
     return 1;
@@ -73,7 +87,7 @@ void add_run(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("run", "simulate a scene: trajectory, energy and momentum accounts");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
-  command->add_option("--method", options->method, "integrator in place of the scene's");
+  command->add_option("--method", options->method, "integrator in place of the scene's, or \"located\": exact flight, impacts at their time");
   command->add_option("--dt", options->dt, "step, s");
   command->add_option("--until", options->until, "end, s");
   command->add_option("--every", options->every, "output interval, s; 0: each step");

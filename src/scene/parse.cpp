@@ -192,7 +192,8 @@ Json parsed(const std::string& text) {
 Outcome<bool> check_scene(const Scene& s) {
   std::vector<std::string> names;
   for (const Method& m : methods()) names.push_back(std::string(m.name));
-  if (find_method(s.method) == nullptr) return Fault{Kind::unsupported, "method", "there is no method '" + s.method + "'" + did_you_mean(s.method, names)};
+  names.push_back("located");
+  if (find_method(s.method) == nullptr && s.method != "located") return Fault{Kind::unsupported, "method", "there is no method '" + s.method + "'" + did_you_mean(s.method, names)};
   if (!(s.dt > 0) || !std::isfinite(s.dt)) return Fault{Kind::not_positive, "dt", "is " + shown(s.dt) + ", must be > 0 s"};
   if (!(s.until >= 0) || !std::isfinite(s.until)) return Fault{Kind::negative, "until", "is " + shown(s.until) + ", must be >= 0 s"};
   if (s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};

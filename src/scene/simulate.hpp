@@ -10,9 +10,25 @@ namespace rigor {
 /// Called at t = 0, at every output time and at `until`: the states of all bodies, in scene order.
 using Observer = std::function<void(double t, const std::vector<State<double>>& states)>;
 
+/// A time in which a body was not in exact flight (method "located" only).
+struct HandOver {
+  std::size_t body;
+  double from, to;       ///< s
+  std::string why;
+};
+/// Bounces that ended by rule: the height of the next one was below 1e-14 of the cuboid's size.
+struct Accumulation {
+  std::size_t body;
+  double at;             ///< s, the last impact that was computed
+  double tail;           ///< s, what the bounces left out would have taken: 2v/(a (1 − e)) for one contact
+};
+
 struct RunSummary {
   Ledger ledger;
-  long steps = 0;
+  std::vector<HandOver> handed_over;
+  std::vector<Accumulation> accumulations;
+  std::string stopped;   ///< why the run ended before `until`; "" when it did not
+  long steps = 0;        ///< of the integrator; method "located": advances of its searches
   double t_end = 0;      ///< `until`, or earlier when interrupted
   bool interrupted = false;
   bool finite = true;    ///< false: the run stopped at the first step with a number that is not finite

@@ -53,6 +53,9 @@ void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
 std::string summary_json(const Scene& scene, const RunSummary& run, double wall_s) {
   const Ledger& l = run.ledger;
   const Ledger::Energy& e = l.energy;
+  nlohmann::ordered_json handed_over = nlohmann::ordered_json::array(), accumulations = handed_over;
+  for (const HandOver& h : run.handed_over) handed_over.push_back({{"body", h.body}, {"from", h.from}, {"to", h.to}, {"why", h.why}});
+  for (const Accumulation& a : run.accumulations) accumulations.push_back({{"body", a.body}, {"at", a.at}, {"tail", a.tail}});
   nlohmann::ordered_json json{
       {"schema", "rigor.summary/1"},
       {"scene", scene.name},
@@ -76,7 +79,9 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
       {"deepest_penetration", number(l.deepest_penetration)},
       {"orthonormality_defect", number(l.worst_orthonormality)},
       {"skips", nlohmann::ordered_json::object()},
-      {"handed_over", 0},
+      {"handed_over", handed_over},
+      {"accumulations", accumulations},
+      {"stopped", run.stopped},
       {"wall_s", wall_s}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <cmath>
+#include <rigor/base/promise.hpp>
+#include <rigor/engine/flight.hpp>
+
+namespace rigor {
+namespace {
+
+using V = Vec3<double>;
+
+ExactFlight attitude_of(const Cuboid<double>& shape, const State<double>& start) {
+  const auto made = ExactFlight::make(shape.inertia(), apply_transposed<double>(start.R_WB, start.w_WB), start.R_WB);
+  promise(bool(made), "a flight starts from a finite state");
+  return *made;
+}
+
+}  // namespace
+
+Flight::Flight(const Cuboid<double>& shape, const State<double>& start, const V& a_W)
+    : shape_(&shape), start_(start), a_W_(a_W), attitude_(attitude_of(shape, start)) {
+  const V w_B = apply_transposed<double>(start.R_WB, start.w_WB);
+  double energy2 = 0, L2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double L = shape.inertia()[i] * w_B[i];
+    energy2 += L * w_B[i];
+    L2 += L * L;
+  }
+  const double I_min = shape.inertia().minCoeff();
+  const double w2 = std::min(energy2, L2 / I_min) / I_min * (1 + 1e-12);
+  spin_ = std::sqrt(w2);
+  bound_ = w2 * (1 + 1 / std::sqrt(3.0));
+}
+
+State<double> Flight::at(double tau) const {
+  State<double> s = start_;
+  for (int i = 0; i < 3; ++i) {
+    s.p_WB[i] = start_.p_WB[i] + tau * (start_.v_WB[i] + tau * a_W_[i] / 2);
+    s.v_WB[i] = start_.v_WB[i] + tau * a_W_[i];
+  }
+  if (spin_ == 0) return s;
+  const Attitude attitude = attitude_.at(tau);
+  s.R_WB = attitude.R_WB;
+  s.w_WB = apply<double>(attitude.R_WB, V(attitude.L_B.cwiseProduct(shape_->inverse_inertia())));
+  return s;
+}
+
+}  // namespace rigor

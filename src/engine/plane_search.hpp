@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <rigor/bodies/plane.hpp>
+#include <rigor/engine/flight.hpp>
+
+namespace rigor {
+
+/// The eight corners of a cuboid over a plane at one moment: distances and their rates.
+struct CornerGaps {
+  std::array<double, 8> gap, rate;  ///< m, m/s; index as Cuboid::corner
+  double rounding;                  ///< a gap up to this size is touching: 16 u of the absolute sum of its terms
+
+  bool touches(int k) const { return gap[k] <= rounding; }
+};
+CornerGaps corner_gaps(const Cuboid<double>& shape, const State<double>& s, const Plane<double>& plane);
+
+/// What a search along a flight found.
+struct PlaneContact {
+  enum class Kind {
+    none,      ///< no corner reaches the plane before the limit
+    impact,    ///< at `tau` a corner touches and approaches
+    tangled,   ///< a corner stays within rounding of the plane (or the search took a million advances): no time to name
+  };
+  Kind kind = Kind::none;
+  double tau = 0;   ///< s from the flight's start
+  long advances = 0;
+};
+
+/// The first τ > from at which a corner touches the plane and approaches it.
+///
+/// By conservative advancement with a bound on the second derivative: a corner with gap s and rate r stays in front of
+/// the plane for as long as s + r δ + (n·a − Ω) δ²/2 > 0, Ω = Flight::acceleration_bound. The search goes from safe
+/// point to safe point and cannot step over an impact; near one its steps converge quadratically, because what the
+/// bound gives away is of second order. Without spin the first step ends at the root itself.
+///
+/// A corner that touches (within rounding) and does not approach, like one just processed, counts as gap 0: its safe
+/// time 2r/(Ω − n·a) is positive, so the same contact is not found again. A graze, where the corner comes within
+/// rounding of the plane with rate ≥ 0, is no impact.
+///
+/// errors    time within rounding/|rate| of the root
+PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& flight, const Plane<double>& plane, double from, double limit);
+
+}  // namespace rigor

@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <rigor/engine/located.hpp>
+#include <rigor/linalg/rotation.hpp>
+
+namespace rigor {
+namespace {
+
+using V = Vec3<double>;
+constexpr double pi = std::numbers::pi;
+
+struct Ended {
+  RunSummary summary;
+  std::vector<double> times;
+  std::vector<State<double>> states;
+};
+Ended run(const Scene& scene) {
+  Ended ended;
+  const auto done = simulate_located(scene, [&](double t, const std::vector<State<double>>& states) {
+    ended.times.push_back(t);
+    ended.states.push_back(states[0]);
+  });
+  EXPECT_TRUE(done) << done.fault().text();
+  ended.summary = *done;
+  return ended;
+}
+Scene one(const V& size, const State<double>& start, double e, double mu, double until, double g = 9.81) {
+  Scene s;
+  s.method = "located";
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  s.gravity = V(0, -g, 0);
+  s.surface = *Surface<double>::make(e, mu, mu);
+  s.friction_law = FrictionLaw::coulomb;
+  s.bodies = {{*Cuboid<double>::make(2, size), start}};
+  s.until = until;
+  return s;
+}
+State<double> above(double y) {
+  State<double> s;
+  s.p_WB = V(0.3, y, -0.2);
+  return s;
+}
+
+// cases P-01, P-03: dropped flat from 1 m, e in eighths: the n-th apex is e^2 times the one before, to 1e-12 of the first.
+// The apex is read off the flight after n impacts: v^2/(2g) + h at any moment of it.
+TEST(Located, DropAndBounceKeepsTheApexLaw) {
+  for (int k = 1; k <= 8; ++k) {
+    const double e = k / 8.0, g = 9.81, H = 1;
+    Scene s = one({0.5, 0.25, 1}, above(0.125 + H), e, 0, 0, g);
+    double t = std::sqrt(2 * H / g), apex = H, before = H;
+    double rise = t;
+    for (int n = 1; n <= 10; ++n) {
+      rise *= e;
+      if (rise < 1e-5) break;
+      s.until = t + rise;  // about the apex after the n-th impact
+      const Ended end = run(s);
+      EXPECT_EQ(end.summary.ledger.impacts, n) << e;
+      const State<double>& last = end.states.back();
+      apex = last.p_WB[1] - 0.125 + last.v_WB[1] * last.v_WB[1] / (2 * g);
+      EXPECT_LE(std::fabs(apex - e * e * before), 1e-12 * H) << "e " << e << ", apex " << n;
+      before = apex;
+      t += 2 * rise;
+    }
+  }
+}
+
+TEST(Located, TenThousandElasticBouncesLoseNothing) {
+  const double g = 9.81, H = 1, t1 = std::sqrt(2 * H / g);
+  const Ended end = run(one({0.5, 0.25, 1}, above(0.125 + H), 1, 0, t1 * 20001 - 0.001, g));
+  EXPECT_EQ(end.summary.ledger.impacts, 10000);
+  // 1e4 impacts, each with a few roundings of the speed and of the height: 1e4 * 10 u, were they all of one sign
+  EXPECT_LT(end.summary.ledger.energy.worst_drift, 1e-11 * end.summary.ledger.energy.start);
+  const State<double>& last = end.states.back();
+  EXPECT_NEAR(last.v_WB[1], g * 0.001 - std::sqrt(2 * g * H), 1e-9);  // 2e4 half flights, 1e-13 s off each
+  EXPECT_TRUE(end.summary.handed_over.empty());
+}
+
+// case P-02: all bounces together take sqrt(2H/g) (1 + e)/(1 - e); the rule ends them and says what it left out.
+TEST(Located, BouncesThatAccumulateEndAtTheKnownTime) {
+  for (const auto& [e, want] : {std::pair{0.5, 1.354570922957192714}, std::pair{0.8, 4.063712768871578140}}) {
+    const Ended end = run(one({0.5, 0.25, 1}, above(1.125), e, 0.5, 6));
+    ASSERT_EQ(end.summary.accumulations.size(), 1u);
+    const Accumulation& last = end.summary.accumulations[0];
+    EXPECT_NEAR(last.at + last.tail, want, 1e-11) << e;  // height above the floor is known to 1e-16 of 1 m: tail 1e-8 s, to 1e-8 of it
+    EXPECT_LT(last.tail, 1e-5);
+    EXPECT_EQ(norm<double>(end.states.back().v_WB), 0);
+    EXPECT_NEAR(end.states.back().p_WB[1], 0.125, 1e-14);
+    EXPECT_TRUE(end.summary.handed_over.empty());
+  }
+}
+
+// case P-07: a spinning slab; the first root of h - g t^2/2 = 0.5 |sin wt| + 0.25 |cos wt|.
+TEST(Located, FindsTheFirstContactOfASpinningSlab) {
+  State<double> start;
+  start.p_WB = V(0, 2, 0);
+  start.w_WB = V(0, 0, 7);
+  const double first = 0.550155514682812044601547416719;
+  Scene s = one({1, 0.5, 0.7}, start, 0, 0, 5, 9.81);  // the published root is that of g = 9.81
+  s.until = first * (1 - 1e-13);
+  EXPECT_EQ(run(s).summary.ledger.impacts, 0);
+  s.until = first * (1 + 1e-13);
+  EXPECT_EQ(run(s).summary.ledger.impacts, 1);
+}
+
+// case P-09 and the promise of the header: what is asked for on the way changes no bit.
+TEST(Located, GivesTheSameBitsWhateverOutputIsAsked) {
+  State<double> start = above(1.5);
+  start.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
+  start.v_WB = V(0.5, -1, 0.25);
+  start.w_WB = V(2, -3, 1);
+  Scene s = one({0.5, 0.25, 1}, start, 0.75, 0.25, 1.25);
+  s.every = 1;
+  const Ended sparse = run(s);
+  ASSERT_TRUE(sparse.summary.handed_over.empty()) << sparse.summary.handed_over[0].why;
+  EXPECT_GE(sparse.summary.ledger.impacts, 2);
+  for (const double every : {0.1, 0.0123, 0.001}) {
+    s.every = every;
+    s.dt = every;
+    const Ended dense = run(s);
+    EXPECT_EQ(dense.states.back().p_WB, sparse.states.back().p_WB);
+    EXPECT_EQ(dense.states.back().R_WB, sparse.states.back().R_WB);
+    EXPECT_EQ(dense.states.back().w_WB, sparse.states.back().w_WB);
+  }
+}
+
+// case FR-04: a flat cuboid slides v^2/(2 mu g), stops, and rests, the same in sixteen directions.
+TEST(Located, AFlatSlideStopsWhereItShouldInEveryDirection) {
+  const double v = 3, mu = 0.3, g = 9.8, want = v * v / (2 * mu * g);
+  for (int k = 0; k < 16; ++k) {
+    State<double> start = above(0.125);
+    start.R_WB = exp_so3<double>(V(0, 0.3, 0));
+    const V along(std::cos(k * pi / 8), 0, std::sin(k * pi / 8));
+    start.v_WB = v * along;
+    const Ended end = run(one({0.5, 0.25, 1}, start, 0.5, mu, 2, g));
+    const V moved = end.states.back().p_WB - start.p_WB;
+    EXPECT_NEAR(norm<double>(moved), want, 1e-12 * want) << k;
+    EXPECT_LT(norm<double>(V(moved - want * along)), 1e-12 * want) << k;
+    EXPECT_EQ(norm<double>(end.states.back().v_WB), 0) << k;
+    EXPECT_NEAR(end.summary.ledger.energy.friction_loss, v * v, 1e-12 * v * v) << k;  // m v^2/2, m = 2
+    EXPECT_TRUE(end.summary.handed_over.empty());
+  }
+}
+
+// case FR-01 to FR-03: at rest for ever below the friction angle, a = g (sin - mu cos) above it; the threshold is the
+// angle itself, to 1e-10, in sixteen directions.
+TEST(Located, AnInclineIsHeldUpToTheFrictionAngleExactly) {
+  const double mu = 0.5, g = 9.8;
+  for (int k = 0; k < 16; ++k)
+    for (const double part : {0.5, 1 - 1e-10, 1 + 1e-10, 1.2}) {
+      const double slope = std::atan(mu) * part;
+      const V downhill(std::cos(k * pi / 8), 0, std::sin(k * pi / 8));
+      Scene s = one({0.5, 0.25, 1}, above(0.125), 1, mu, 10, g);
+      s.gravity = g * (std::sin(slope) * downhill - std::cos(slope) * V(0, 1, 0));
+      const Ended end = run(s);
+      const double moved = norm<double>(V(end.states.back().p_WB - end.states.front().p_WB)), a = g * (std::sin(slope) - mu * std::cos(slope));
+      EXPECT_TRUE(end.summary.handed_over.empty());
+      if (part < 1) EXPECT_EQ(moved, 0) << k << " " << part;
+      else EXPECT_NEAR(moved, a * 50, 1e-13 * g * 50) << k << " " << part;
+    }
+}
+
+}  // namespace
+}  // namespace rigor
