@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <rigor/engine/first_root.hpp>
 #include <rigor/engine/plane_search.hpp>
 
 namespace rigor {
@@ -9,17 +10,6 @@ using V = Vec3<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double u = 0x1p-53;
 constexpr long most_advances = 1000000;
-
-/// First δ > 0 with s + r δ + c δ²/2 = 0 for s ≥ 0; infinity when there is none. s = 0 with r ≥ 0 starts in front.
-double first_root(double s, double r, double c) {
-  if (c >= 0) {
-    if (r >= 0) return infinity;
-    const double disc = r * r - 2 * c * s;
-    return disc < 0 ? infinity : 2 * s / (-r + std::sqrt(disc));
-  }
-  const double root = std::sqrt(r * r - 2 * c * s);
-  return r > 0 ? (r + root) / -c : s > 0 ? 2 * s / (root - r) : 0;
-}
 
 }  // namespace
 
@@ -36,12 +26,20 @@ CornerGaps corner_gaps(const Cuboid<double>& shape, const State<double>& s, cons
   double terms = norm<double>(shape.size()) / 2;
   for (int i = 0; i < 3; ++i) terms += std::fabs(plane.normal()[i]) * (std::fabs(s.p_WB[i]) + std::fabs(plane.point()[i]));
   c.rounding = 16 * u * terms;
+  c.still = 16 * u * (norm<double>(s.v_WB) + norm<double>(s.w_WB) * norm<double>(shape.size()));
   return c;
+}
+
+V corner_acceleration(const Cuboid<double>& shape, const State<double>& s, int k, const V& a_W) {
+  const V w_B = apply_transposed<double>(s.R_WB, s.w_WB), r = apply<double>(s.R_WB, shape.corner(k));
+  const V L_B = w_B.cwiseProduct(shape.inertia());
+  const V alpha = apply<double>(s.R_WB, V(-cross<double>(w_B, L_B).cwiseProduct(shape.inverse_inertia())));
+  return a_W + cross<double>(alpha, r) + cross<double>(s.w_WB, cross<double>(s.w_WB, r));
 }
 
 PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& flight, const Plane<double>& plane, double from, double limit) {
   const double radius = norm<double>(shape.size()) / 2, n_a = dot<double>(plane.normal(), flight.acceleration());
-  const double c = n_a - flight.acceleration_bound(radius);
+  const double c = n_a - flight.acceleration_bound(radius), jerk = 5 * radius * flight.spin_bound() * flight.spin_bound() * flight.spin_bound();
   PlaneContact found;
   double tau = from;
   for (;;) {
@@ -49,8 +47,16 @@ PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& fligh
     const CornerGaps corners = corner_gaps(shape, s, plane);
     double safe = infinity;
     for (int k = 0; k < 8; ++k) {
-      if (corners.touches(k) && corners.rate[k] < 0) return {PlaneContact::Kind::impact, tau, found.advances};
-      safe = std::fmin(safe, first_root(corners.touches(k) ? 0 : corners.gap[k], corners.rate[k], c));
+      if (!corners.touches(k)) {
+        safe = std::fmin(safe, first_root(corners.gap[k], corners.rate[k], c));
+      } else if (corners.rate[k] < -corners.still) {
+        return {PlaneContact::Kind::impact, tau, found.advances};
+      } else if (corners.rate[k] > corners.still) {
+        safe = std::fmin(safe, first_root(0, corners.rate[k], c));
+      } else {
+        const double away = dot<double>(plane.normal(), corner_acceleration(shape, s, k, flight.acceleration()));
+        safe = std::fmin(safe, away > 0 ? (jerk > 0 ? 3 * away / jerk : infinity) : 0);
+      }
     }
     // far away: nothing can touch before the sphere around the cuboid does, and that moves on a parabola
     const double clear = plane.gap(s.p_WB) - radius;

@@ -9,10 +9,14 @@ namespace rigor {
 struct CornerGaps {
   std::array<double, 8> gap, rate;  ///< m, m/s; index as Cuboid::corner
   double rounding;                  ///< a gap up to this size is touching: 16 u of the absolute sum of its terms
+  double still;                     ///< a rate up to this size is none: 16 u of the speeds in it
 
   bool touches(int k) const { return gap[k] <= rounding; }
 };
 CornerGaps corner_gaps(const Cuboid<double>& shape, const State<double>& s, const Plane<double>& plane);
+
+/// Acceleration of corner k of a cuboid in torque-free motion whose centre accelerates by a_W; m/s², world axes.
+Vec3<double> corner_acceleration(const Cuboid<double>& shape, const State<double>& s, int k, const Vec3<double>& a_W);
 
 /// What a search along a flight found.
 struct PlaneContact {
@@ -33,8 +37,9 @@ struct PlaneContact {
 /// point to safe point and cannot step over an impact; near one its steps converge quadratically, because what the
 /// bound gives away is of second order. Without spin the first step ends at the root itself.
 ///
-/// A corner that touches (within rounding) and does not approach, like one just processed, counts as gap 0: its safe
-/// time 2r/(Ω − n·a) is positive, so the same contact is not found again. A graze, where the corner comes within
+/// A corner that touches (within rounding) and leaves, like one just processed, counts as gap 0: its safe time
+/// 2r/(Ω − n·a) is positive, so the same contact is not found again. One that touches with no rate at all but is
+/// accelerated away by b stays in front for 3b/J, J = 5 |r| W³ a bound on the third derivative. A graze, where the corner comes within
 /// rounding of the plane with rate ≥ 0, is no impact.
 ///
 /// errors    time within rounding/|rate| of the root
