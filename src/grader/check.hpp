@@ -37,6 +37,8 @@ struct Judgement {
       for (int j = 0; j < 3; ++j)
         add(name + " (" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ")", unit, got(i, j), want(i, j), bound);
   }
+  /// A law that holds when nothing happens must not reward a function that does nothing.
+  void add_happened(const std::string& where, bool happened) { add("something happens " + where + " (1: yes)", "1", happened ? 1 : 0, 1, 0.5); }
   /// Largest |got − want|/bound; infinite where a number is not finite. Right when ≤ 1.
   double ratio() const;
 };

@@ -38,6 +38,12 @@ Judgement judge_torque(const Scenario& s, const std::vector<Reply>& r, bool) {
   j.add("net torque", "N m", vec(r[0].A.net_torque), want(s).tau_W, tight * torque_scale(s));
   return j;
 }
+// At the centre, and once off it: there something must happen.
+std::vector<Call> ask_pure(const Scenario& s) {
+  Scenario off = s;
+  off.point = s.A.position + Vec3<double>(0.5, 0.25, 0.75);
+  return {ask(s)[0], ask(off)[0]};
+}
 // An added torque of zero: whatever a student does with the torque that was there is force.torque's business.
 Judgement judge_pure(const Scenario& s, const std::vector<Reply>& r, bool) {
   Judgement j;
@@ -45,6 +51,8 @@ Judgement judge_pure(const Scenario& s, const std::vector<Reply>& r, bool) {
   const bool overwritten = norm<double>(torque) <= tight * torque_scale(s);
   j.add("net torque", "N m", torque, overwritten ? zero3<double>() : s.A.torque, tight * torque_scale(s));
   j.add("velocity", "m/s", vec(r[0].A.velocity), s.A.velocity, tight * norm<double>(s.A.velocity));
+  j.add_happened("for a force off the centre", norm<double>(Vec3<double>(vec(r[1].A.net_force) - s.A.force)) > tight * force_scale(s) ||
+                                                   norm<double>(Vec3<double>(vec(r[1].A.net_torque) - s.A.torque)) > tight * torque_scale(s));
   return j;
 }
 
@@ -60,7 +68,7 @@ std::vector<Check> force_checks() {
         "force.no-torque"},
        draw, ask, judge_torque},
       {"force.pure", "Force", StudentFunction::apply_force, "force.torque", "a force at the centre of mass gives no torque", 2,
-       {"force.arm-from-origin", "force.arm-plus-centre"}, draw_at_centre, ask, judge_pure},
+       {"force.arm-from-origin", "force.arm-plus-centre"}, draw_at_centre, ask_pure, judge_pure},
   };
   list[2].renew = [](Scenario& s) { s.point = s.A.position; };
   return list;

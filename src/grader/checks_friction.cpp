@@ -47,9 +47,16 @@ Scenario draw_nothing(Random& random, int number) {
   s.A.force = zero3<double>();
   return s;
 }
+// At rest, and once slipping: there the answer must not be zero.
+std::vector<Call> ask_zero(const Scenario& s) {
+  Scenario slipping = s;
+  slipping.A.velocity = cross<double>(s.normal, Vec3<double>(std::fabs(s.normal[0]) < 0.6 ? Vec3<double>(1, 0, 0) : Vec3<double>(0, 1, 0)));
+  return {ask_tangent(s)[0], ask_tangent(slipping)[0]};
+}
 Judgement judge_zero(const Scenario&, const std::vector<Reply>& r, bool) {
   Judgement j;
   j.add("tangent", "1", vec(r[0].vector), zero3<double>(), 1e-6);
+  j.add_happened("where it slips", norm<double>(vec(r[1].vector)) > 1e-3);
   return j;
 }
 bool clear_tangent(const Scenario& s) {  // slip and force both well off the normal, and off each other
@@ -198,7 +205,7 @@ std::vector<Check> friction_checks() {
        {"tangent.not-normalised", "tangent.not-projected", "tangent.of-centre", "tangent.force-first"}, draw_slip, ask_tangent, judge_direction},
       {"tangent.force", group, tangent, "friction.tangent", "without slip: the tangential part of the net force, normalised", 2,
        {"tangent.no-fallback", "tangent.not-normalised", "tangent.not-projected"}, draw_resting, ask_tangent, judge_direction},
-      {"tangent.zero", group, tangent, "friction.tangent", "without slip and force: the zero vector", 1, {}, draw_nothing, ask_tangent, judge_zero},
+      {"tangent.zero", group, tangent, "friction.tangent", "without slip and force: the zero vector", 1, {}, draw_nothing, ask_zero, judge_zero},
       {"plane.friction-slide", group, plane, "friction.sheet", "fast slip: friction is mu_d times the normal impulse, against the slip", 3,
        {"friction.missing", "friction.reversed", "friction.unlimited", "friction.mu-swapped", "friction.no-turn",
         "friction.bare-coefficients", "friction.not-over-mass"},

@@ -26,7 +26,8 @@ Judgement judge_tensor(const Scenario& s, const std::vector<Reply>& r, bool) {
 Judgement judge_inverse(const Scenario& s, const std::vector<Reply>& r, bool own) {
   Mat3<double> want = diagonal(s.A.inverse_I_B());
   const Mat3<double> given = mat(r[0].A.body_inertia);
-  if (own && given.diagonal().cwiseAbs().minCoeff() > 0) want = diagonal(given.diagonal().cwiseInverse());
+  // the identity is what a constructor leaves, not a tensor of the submission's own
+  if (own && given.diagonal().cwiseAbs().minCoeff() > 0 && given != identity3<double>()) want = diagonal(given.diagonal().cwiseInverse());
   Judgement j;
   j.add("inverse body tensor", "1/(kg m^2)", mat(r[0].A.body_inverse_inertia), want, tight * want.cwiseAbs().maxCoeff());
   return j;

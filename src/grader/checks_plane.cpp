@@ -82,6 +82,20 @@ Scenario draw_clear(Random& random, int number) {
   s.A.velocity -= 2.0 * s.normal;
   return s;
 }
+// There it is left alone; the same cuboid a little behind the plane must not be.
+std::vector<Call> ask_clear(const Scenario& s) {
+  Scenario touching = s;
+  place(touching.A, s.variant, 1e-3 * norm<double>(s.A.size), s.plane_point, s.normal, zero3<double>());
+  return {ask(s)[0], ask(touching)[0]};
+}
+Judgement judge_clear(const Scenario& s, const std::vector<Reply>& r, bool own) {
+  Judgement j = judge_unmoved(s, r, own);
+  const Vec3<double> at = vec(ask_clear(s)[1].request.A.position);
+  j.add_happened("to the same cuboid behind the plane", norm<double>(Vec3<double>(vec(r[1].A.velocity) - s.A.velocity)) > tight * speed_scale(s) ||
+                                                            norm<double>(Vec3<double>(vec(r[1].A.position) - at)) > tight * norm<double>(s.A.size) ||
+                                                            norm<double>(Vec3<double>(vec(r[1].A.spin) - s.A.spin)) > tight * norm<double>(s.A.spin));
+  return j;
+}
 // Behind the plane, but leaving: an approach test makes nothing happen.
 Scenario draw_leaving(Random& random, int number) {
   Scenario s = draw_contact(random, number, true);
@@ -159,7 +173,7 @@ std::vector<Check> plane_checks() {
   const std::string group = "Plane normal";
   std::vector<Check> list{
       {"plane.ignores-clear", group, plane, "impulse.normal", "a cuboid clear of the plane is left alone", 1,
-       {"plane.no-collision-test"}, draw_clear, ask, judge_unmoved},
+       {"plane.no-collision-test"}, draw_clear, ask_clear, judge_clear},
       {"plane.correction", group, plane, "contact.correction", "afterwards no corner is behind the floor; the body moved along the normal only", 2,
        {"plane.correction-missing", "plane.correction-doubled", "plane.correction-inwards"}, deep(Deep::floor), ask, judge_correction},
       {"plane.any-orientation", group, plane, "contact.correction", "the same for walls, ceilings and skew planes anywhere", 2,

@@ -43,23 +43,51 @@ double ratio_of(const Check& check, const Scenario& s, const std::vector<Reply>&
   return check.judge(s, replies, own).ratio() / tolerance;
 }
 
+// A submission whose functions are slow or never return costs this much of our time, and no more.
+class Patience {
+ public:
+  explicit Patience(const Limits& limits) : limit_s_(40 * limits.call_s) {}
+  /// A call that takes long on its own account (a whole scene) has a limit of its own.
+  void count(StudentFunction function, const Call& call, double seconds) {
+    if (call.seconds > 0 || seconds < 0.02) return;
+    slow_.insert(function);
+    spent_s_ += seconds < 0.1 ? seconds / 3 : seconds;  // a busy machine, too, may make one wait for hundredths
+  }
+  bool slow(StudentFunction function) const { return slow_.count(function) != 0; }
+  bool short_of(StudentFunction function) const { return slow(function) && spent_s_ >= limit_s_ / 4; }
+  bool ended(StudentFunction function) const { return slow(function) && spent_s_ >= limit_s_; }
+  std::string words() const {
+    char text[160];
+    std::snprintf(text, sizeof text, "it was slow before, and the %g s that slow calls of one submission may take in all are used up", limit_s_);
+    return text;
+  }
+
+ private:
+  double limit_s_, spent_s_ = 0;
+  std::set<StudentFunction> slow_;
+};
+
 class Trial {
  public:
   // `inertia_failed`: an inertia function was found wrong, so what calls it may follow from that.
   // `deaths_allowed`: three, or one where the same function has died three times in an earlier check.
-  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, bool inertia_failed, int deaths_allowed)
-      : student_(student), check_(check), rubric_(rubric), selection_(selection), deaths_allowed_(deaths_allowed), follows_(check.carries && inertia_failed) {
+  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, const Patience& patience, bool inertia_failed, int deaths_allowed)
+      : student_(student), check_(check), patience_(patience), rubric_(rubric), selection_(selection), deaths_allowed_(deaths_allowed), follows_(check.carries && inertia_failed) {
     result_.check = &check;
     result_.max_points = rubric.points_of(check);
   }
 
-  // Runs the cases; a check is all or nothing, and stops after three deaths.
+  // Runs the cases; a check is all or nothing, and stops after three deaths, or one case after a timeout.
   std::pair<CheckResult, std::vector<Record>> finish() {
     const int all = check_.cases != 0 ? std::min(check_.cases, rubric_.cases) : rubric_.cases;
     const int first = selection_.single_case < 0 ? 0 : selection_.single_case, last = selection_.single_case < 0 ? all : first + 1;
     for (int k = first; k < last && deaths_ < deaths_allowed_; ++k) {
       if (interrupted() != 0) {
         result_.words = "interrupted after " + std::to_string(result_.cases) + " cases";
+        break;
+      }
+      if (patience_.ended(check_.function)) {
+        out_of_patience_ = true;
         break;
       }
       one_case(k);
@@ -76,6 +104,7 @@ class Trial {
     if (run.death) {
       ++deaths_;
       if (!worst_death_) worst_death_ = run.death, died_at_ = number;
+      if (run.death->kind == Death::Kind::timeout) deaths_allowed_ = std::min(deaths_allowed_, std::max(2, deaths_));
       return;
     }
     const double ratio = ratio_of(check_, s, run.replies, false, rubric_.tolerance);
@@ -91,6 +120,11 @@ class Trial {
   }
 
   void conclude() {
+    if (out_of_patience_ && !worst_death_) {
+      result_.verdict = Verdict::timeout;
+      result_.words = "stopped after " + std::to_string(result_.cases) + " cases: " + patience_.words();
+      return;
+    }
     if (worst_death_) {
       result_.verdict = verdict_of(worst_death_->kind);
       result_.words = worst_death_->words + (deaths_ >= deaths_allowed_ ? " (the check stopped there)" : "");
@@ -117,7 +151,7 @@ class Trial {
     Counterexample example;
     example.number = number;
     // a death costs a process, a timeout seconds: those cases are shown as drawn
-    const int calls = !worst_death_ ? 200 : worst_death_->kind == Death::Kind::crash ? 12 : 0;
+    const int calls = patience_.short_of(check_.function) ? 0 : !worst_death_ ? 200 : worst_death_->kind == Death::Kind::crash ? 12 : 0;
     example.inputs = shrink(check_, draw_case(check_, rubric_.seed, number), fails, calls);
     example.function = Function(check_.calls(example.inputs)[0].request.function);
     if (worst_death_) {
@@ -133,9 +167,11 @@ class Trial {
 
   const Student& student_;
   const Check& check_;
+  const Patience& patience_;
   const Rubric& rubric_;
   const Selection& selection_;
-  const int deaths_allowed_;
+  int deaths_allowed_;
+  bool out_of_patience_ = false;
   CheckResult result_;
   std::vector<Record> records_;
   std::optional<Death> worst_death_;
@@ -170,6 +206,7 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
   std::vector<std::vector<Record>> records;
   bool inertia_failed = false;
   std::set<StudentFunction> dead;
+  Patience patience(rubric.limits);
   for (const Check& check : checks()) {
     if (!chosen(selection, check)) continue;
     const FunctionStatus& status = functions[std::size_t(check.function)];
@@ -185,7 +222,13 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
       records.emplace_back();
       continue;
     }
-    auto [result, seen] = Trial(student, check, rubric, selection, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
+    const Student watched = [&](const Call& call) {
+      const auto start = std::chrono::steady_clock::now();
+      Answer answer = student(call);
+      patience.count(check.function, call, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      return answer;
+    };
+    auto [result, seen] = Trial(watched, check, rubric, selection, patience, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
     if (result.verdict == Verdict::crash || result.verdict == Verdict::timeout || result.verdict == Verdict::memory) dead.insert(check.function);
     inertia_failed = inertia_failed || (check.group == "Inertia" && result.verdict == Verdict::fail);
     report.results.push_back(std::move(result));

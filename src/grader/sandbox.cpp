@@ -244,19 +244,37 @@ pid_t Child::first_inside() const {
   return inside_;
 }
 
+namespace {
+
+/// The beginning of a small file of /proc; empty when it cannot be read.
+std::string proc_text(const std::string& path) {
+  char text[512];
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return "";
+  const ssize_t n = read(fd, text, sizeof text);
+  close(fd);
+  return n > 0 ? std::string(text, std::size_t(n)) : "";
+}
+
+}  // namespace
+
+pid_t Child::program() const {
+  const pid_t reaper = first_inside();
+  if (reaper <= 0) return pid_;
+  // the namespace's first process waits for the program, its only child
+  const std::string id = std::to_string(reaper);
+  return pid_t(std::strtol(proc_text("/proc/" + id + "/task/" + id + "/children").c_str(), nullptr, 10));
+}
+
+bool Child::waits() const {
+  const std::string stat = proc_text("/proc/" + std::to_string(program()) + "/stat");
+  const std::size_t state = stat.rfind(") ");  // after the name, which may hold anything
+  return state != stat.npos && state + 2 < stat.size() && stat[state + 2] == 'S';
+}
+
 double Child::cpu_seconds() const {
-  pid_t program = pid_;
-  if (const pid_t reaper = first_inside(); reaper > 0) {
-    // the namespace's first process waits for the program, its only child
-    const std::string path = "/proc/" + std::to_string(reaper) + "/task/" + std::to_string(reaper) + "/children";
-    char text[32] = "";
-    const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd < 0) return -1;
-    const ssize_t n = read(fd, text, sizeof text - 1);
-    close(fd);
-    program = n > 0 ? pid_t(std::strtol(text, nullptr, 10)) : 0;
-    if (program <= 0) return -1;
-  }
+  const pid_t program = this->program();
+  if (program <= 0) return -1;
   clockid_t clock;
   timespec used{};
   if (clock_getcpuclockid(program, &clock) != 0 || clock_gettime(clock, &used) != 0) return -1;

@@ -119,13 +119,16 @@ struct Worker::Process {
     Reply reply;
     std::size_t have = 0;
     const auto begun = Clock::now();
-    double cpu_seen = -1;
+    double cpu_seen = -1, cpu_before = -1;
+    int waited = 0;  // looks in a row at which it used no processor and asked for none
     for (;;) {
       const double wall = std::chrono::duration<double>(Clock::now() - begun).count();
       if (wall >= seconds) {
         const double cpu = child.cpu_seconds();
         if (cpu_seen < 0) cpu_seen = std::max(cpu, 0.0);
-        if (wall >= wall_per_cpu * seconds || cpu - cpu_seen >= seconds)
+        waited = child.waits() && cpu == cpu_before ? waited + 1 : 0;
+        cpu_before = cpu;
+        if (wall >= wall_per_cpu * seconds || cpu - cpu_seen >= seconds || waited >= 4)
           return Death{Death::Kind::timeout, "took longer than " + seconds_words(seconds) + " for one call"};
       }
       pollfd fds[] = {{channel, POLLIN, 0}, {printed, POLLIN, 0}};

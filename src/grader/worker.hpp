@@ -19,7 +19,7 @@ struct Constants {
 };
 
 struct Limits {
-  double call_s = 0.5;                           ///< processor time for one call; ten times that on the wall
+  double call_s = 0.5;                           ///< processor time for one call; ten times that on the wall, twice where it only waits
   double total_s = 60;                           ///< processor time of one process
   std::uint64_t memory_bytes = 512u << 20;       ///< address space
   std::uint64_t output_bytes = 64u << 20;        ///< what it may print in one call; 64 KiB of it are kept

@@ -8,6 +8,7 @@
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <set>
+#include <thread>
 
 namespace rigor::grader {
 namespace {
@@ -143,15 +144,70 @@ TEST(Judge, StopsACheckAfterThreeDeathsAndGoesOnWithTheNext) {
   int calls = 0;
   const Report report = judged(
       [&](const Call& call) -> Answer {
-        if (call.request.function == std::uint32_t(Function::apply_force)) return ++calls, Death{Death::Kind::timeout, "took too long"};
+        if (call.request.function == std::uint32_t(Function::apply_force)) return ++calls, Death{Death::Kind::crash, "stopped by a segmentation fault"};
         return model(Habits{}, call);
       },
       24, 3, {}, {{"force.sum", "moi.body"}, -1});
   ASSERT_EQ(report.results.size(), 2u);
   EXPECT_EQ(report.results[0].verdict, Verdict::pass);
-  EXPECT_EQ(report.results[1].verdict, Verdict::timeout);
+  EXPECT_EQ(report.results[1].verdict, Verdict::crash);
   EXPECT_EQ(report.results[1].cases, 3);
-  EXPECT_EQ(calls, 3);  // a timeout costs seconds: nothing more is asked
+  EXPECT_GE(calls, 3);  // and a few more to make the case small
+}
+
+// One more case after a first timeout, then one for each later check of that function; other functions are untouched.
+TEST(Judge, AsksAFunctionThatTimedOutOnceMoreAndThenOnceACheck) {
+  int calls = 0;
+  const auto student = [&](const Call& call) -> Answer {
+    if (call.request.function != std::uint32_t(Function::apply_force)) return model({}, call);
+    ++calls;
+    return Death{Death::Kind::timeout, "took longer than 0.5 s for one call"};
+  };
+  const Report report = judged(student, 50, 1);
+  EXPECT_EQ(calls, 2 + 2) << "three checks of the function";
+  EXPECT_EQ(failing(report), (Ids{"force.sum", "force.torque", "force.pure"}));
+  EXPECT_EQ(report.score, 90);
+}
+
+// What a submission may take in all: 40 call_seconds of slow calls, here 0.4 s, four of its calls.
+TEST(Judge, StopsASlowSubmissionAndSaysSo) {
+  int slow = 0;
+  const auto student = [&](const Call& call) -> Answer {
+    if (call.request.function == std::uint32_t(Function::apply_force)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(110));
+      ++slow;
+    }
+    return model({}, call);
+  };
+  Rubric rubric;
+  rubric.limits.call_s = 0.01;
+  const Report report = judged(student, 50, 1, rubric);
+  EXPECT_LE(slow, 4);
+  EXPECT_GE(slow, 1);
+  EXPECT_EQ(failing(report), (Ids{"force.sum", "force.torque", "force.pure"}));
+  for (const CheckResult& r : report.results)
+    if (r.check->function == StudentFunction::apply_force) {
+      EXPECT_EQ(r.verdict, Verdict::timeout);
+      EXPECT_NE(r.words.find("0.4 s that slow calls of one submission may take in all are used up"), std::string::npos) << r.words;
+    }
+}
+
+// Not a stub as handed out, but as idle: bodies come back as they went in, answers are zero or the identity.
+TEST(Judge, DoingNothingEarnsNothing) {
+  const auto idle = [](const Call& call) -> Answer {
+    Reply r{};
+    r.A = call.request.A;
+    r.B = call.request.B;
+    for (int i = 0; i < 9; i += 4) {
+      r.world_inertia[i] = r.world_inverse_inertia[i] = 1;
+      if (call.request.direct == 0) r.A.body_inertia[i] = r.A.body_inverse_inertia[i] = 1;
+    }
+    return r;
+  };
+  for (const std::uint64_t seed : {1u, 20260414u}) {
+    const Report report = judged(idle, 40, seed);
+    EXPECT_EQ(report.score, 0) << report_text(report, false);
+  }
 }
 
 TEST(Judge, NotANumberIsNeverRight) {
