@@ -7,12 +7,14 @@
 #include <rigor/cli/run.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/scene/trajectory.hpp>
+#include <rigor/view/replay.hpp>
 
 namespace rigor::cli {
 namespace {
 
 struct Options {
   std::string scene, method, out;
+  std::vector<std::string> beside;
   std::optional<double> dt, until, every;
   std::uint64_t seed = 0;
   bool json = false, quiet = false;
@@ -42,6 +44,43 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   std::printf("  deepest overlap    %12.3g m         rotation matrices off orthonormal by %.2g\n", l.deepest_penetration, l.worst_orthonormality);
 }
 
+std::string lead(const Scene& scene, const RunSummary& run) {
+  char text[240], dt[32] = "";
+  if (scene.method != "located") std::snprintf(dt, sizeof dt, ", dt %.4g s", scene.dt);
+  std::snprintf(text, sizeof text, "%zu cuboid%s, method %s%s, seed %llu; %ld impacts in %.4g s; energy %.4g J at the start, %.4g J at the end",
+                scene.bodies.size(), scene.bodies.size() == 1 ? "" : "s", scene.method.c_str(), dt, static_cast<unsigned long long>(scene.seed), run.ledger.impacts, run.t_end,
+                run.ledger.energy.start, run.ledger.energy.end);
+  return text;
+}
+
+// Runs the scene by its method; what is to be replayed goes into `recording`, where there is one.
+Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recording, const Observer& observe) {
+  const Observer both = [&](double t, const std::vector<State<double>>& states) {
+    observe(t, states);
+    if (recording != nullptr) recording->add(t, states);
+  };
+  if (scene.method == "located")
+    return simulate_located(scene, both, [&](const LocatedImpact& impact) {
+      if (recording != nullptr) recording->impact(impact.body, impact.before, impact.after);
+    });
+  return simulate(scene, both, [&](const Impact& impact) {
+    if (recording != nullptr) recording->impact(impact);
+  });
+}
+
+// The scene once more by each method of --beside, only to be looked at.
+Outcome<std::vector<view::Recording>> beside(const Scene& scene, const std::vector<std::string>& methods) {
+  std::vector<view::Recording> recordings;
+  for (const std::string& method : methods) {
+    Scene other = scene;
+    other.method = method;
+    if (const auto ok = check_scene(other); !ok) return ok.fault().inside("--beside");
+    view::Recording& recording = recordings.emplace_back(other, method);
+    if (const auto run = simulate_recorded(other, &recording, [](double, const auto&) {}); !run) return run.fault().inside("--beside");
+  }
+  return recordings;
+}
+
 int run_command(const Options& options) {
   auto opened = open_scene(options.scene, options.seed);
   if (!opened) return bad_input(opened.fault());
@@ -54,11 +93,12 @@ int run_command(const Options& options) {
 
   TrajectoryCsv csv(scene.bodies.size());
   const bool keep = !options.out.empty();
+  std::vector<view::Recording> recordings;
+  if (keep) recordings.emplace_back(scene, scene.method);
   const auto start = std::chrono::steady_clock::now();
-  const Observer observe = [&](double t, const std::vector<State<double>>& states) {
+  const auto done = simulate_recorded(scene, keep ? &recordings[0] : nullptr, [&](double t, const std::vector<State<double>>& states) {
     if (keep) csv.add(t, states);
-  };
-  const auto done = scene.method == "located" ? simulate_located(scene, observe) : Outcome<RunSummary>(simulate(scene, observe));
+  });
   if (!done) return bad_input(done.fault());
   const RunSummary run = *done;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -67,6 +107,13 @@ int run_command(const Options& options) {
     const std::filesystem::path dir = options.out;
     if (const auto written = write_file(dir / "trajectory.csv", csv.text()); !written) return bad_input(written.fault());
     if (const auto written = write_file(dir / "summary.json", summary); !written) return bad_input(written.fault());
+    auto others = beside(scene, options.beside);
+    if (!others) return bad_input(others.fault());
+    for (view::Recording& other : std::move(others).value()) recordings.push_back(std::move(other));
+    if (const auto page = view::replay_page(recordings, std::filesystem::path(scene.name).filename().string(), lead(scene, run)); !page)
+      std::fprintf(stderr, "rigor run: no replay.html: %s\n", page.fault().text().c_str());
+    else if (const auto written = write_file(dir / "replay.html", *page); !written)
+      return bad_input(written.fault());
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
   else if (!options.quiet) print(scene, run, wall);
@@ -92,7 +139,8 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--until", options->until, "end, s");
   command->add_option("--every", options->every, "output interval, s; 0: each step");
   command->add_option("--seed", options->seed, "of the scene's random numbers");
-  command->add_option("--out", options->out, "directory for trajectory.csv and summary.json");
+  command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
+  command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
   command->add_flag("--json", options->json, "print summary.json");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->footer("Example:  rigor run assignment --seed 3 --out runs/three");

@@ -56,7 +56,7 @@ struct PairEvent {
 
 class LocatedWorld {
  public:
-  LocatedWorld(const Scene& scene, RunSummary& summary, const ImpactObserver& observe_impact)
+  LocatedWorld(const Scene& scene, RunSummary& summary, const LocatedObserver& observe_impact)
       : scene_(scene), summary_(summary), observe_impact_(observe_impact), ledger_(summary.ledger), gravity_(scene.gravity) {
     for (const SceneBody& b : scene.bodies) {
       bodies_.emplace_back();
@@ -518,7 +518,7 @@ class LocatedWorld {
 
   const Scene& scene_;
   RunSummary& summary_;
-  const ImpactObserver& observe_impact_;
+  const LocatedObserver& observe_impact_;
   Ledger& ledger_;
   V gravity_;
   std::vector<Body> bodies_;
@@ -530,7 +530,7 @@ class LocatedWorld {
 
 }  // namespace
 
-Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const ImpactObserver& observe_impact) {
+Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact) {
   using Kind = Fault::Kind;
   if (!scene.forces.empty()) return Fault{Kind::unsupported, "forces", "are not known to method 'located' (gravity is); use a stepper"};
   for (const SceneAction& action : scene.actions)

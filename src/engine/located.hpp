@@ -11,7 +11,7 @@ struct LocatedImpact {
   State<double> from;        ///< the beginning of that flight
   State<double> before, after;
 };
-using ImpactObserver = std::function<void(const LocatedImpact&)>;
+using LocatedObserver = std::function<void(const LocatedImpact&)>;
 
 /// Method "located": exact flight between impacts, every impact found at its time. No step enters: the result does not
 /// depend on dt, and not on the output times, as long as `handed_over` stays empty.
@@ -24,6 +24,6 @@ using ImpactObserver = std::function<void(const LocatedImpact&)>;
 /// rules and their reasons: docs/located-impacts.md.
 ///
 /// Faults: unsupported, naming what the mode does not know (forces and the vacuum: they have torque).
-Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const ImpactObserver& observe_impact = {});
+Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact = {});
 
 }  // namespace rigor

@@ -13,12 +13,6 @@ void append(std::string& out, double x) {
   out.append(text, end.ptr);
 }
 
-Mat3<double> nearest_rotation(const Mat3<double>& R) {
-  if (!(orthonormality_defect<double>(R) > 1e-12)) return R;
-  const Eigen::JacobiSVD<Mat3<double>> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
-}
-
 nlohmann::ordered_json number(double x) {
   if (std::isnan(x)) return "nan";
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
@@ -31,13 +25,19 @@ nlohmann::ordered_json momentum(const Ledger::Momentum& m) {
 
 }  // namespace
 
+Vec4<double> pose_quaternion(const Mat3<double>& R) {
+  if (!(orthonormality_defect<double>(R) > 1e-12)) return quaternion_of<double>(R);
+  const Eigen::JacobiSVD<Mat3<double>> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return quaternion_of<double>(svd.matrixU() * svd.matrixV().transpose());
+}
+
 TrajectoryCsv::TrajectoryCsv(std::size_t bodies)
     : last_(bodies, Vec4<double>(1, 0, 0, 0)), text_("t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n") {}
 
 void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const State<double>& s = states[i];
-    Vec4<double> q = quaternion_of<double>(nearest_rotation(s.R_WB));
+    Vec4<double> q = pose_quaternion(s.R_WB);
     if (q.dot(last_[i]) < 0) q = -q;
     last_[i] = q;
     append(text_, t);

@@ -6,6 +6,9 @@
 
 namespace rigor {
 
+/// The quaternion (w ≥ 0) of R, or of the rotation nearest to it where R is none (a defect above 1e-12).
+Vec4<double> pose_quaternion(const Mat3<double>& R);
+
 /// Collects `trajectory.csv`: t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz, a row per body and output time, shortest
 /// digits that read back to the same double. The quaternion keeps its sign from row to row, starting with w ≥ 0; where
 /// R is no rotation it is that of the nearest one.

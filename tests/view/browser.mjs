@@ -1,0 +1,166 @@
+// The pages in a browser, as their user meets them: node browser.mjs BUILD CHROMIUM. Screenshots stay in BUILD/screenshots
+// for a person to look at. Expected states come from trajectory.csv, not from the page.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+
+const [build, chromium_path] = process.argv.slice(2);
+const packages = createRequire(join(build, 'web/package.json'));
+const {chromium} = packages('playwright-core'), axe = readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
+const pictures = join(build, 'screenshots'), work = mkdtempSync(join(tmpdir(), 'rigor-pages-'));
+mkdirSync(pictures, {recursive: true});
+const rigor = (...words) => execFileSync(join(build, 'rigor'), words, {encoding: 'utf8'});
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({executablePath: chromium_path, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+});
+after(async () => {
+  await browser?.close();
+  rmSync(work, {recursive: true, force: true});
+});
+
+/// Opens a page and keeps an account of what must not happen: errors, and requests but for the page itself.
+async function open(url, options = {}) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 800}, bypassCSP: false, ...options});
+  const page = await context.newPage();
+  page.wrong = [], page.asked = [];
+  page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver|swiftshader/i.test(message.text())) page.wrong.push(message.text()); });
+  page.on('pageerror', error => page.wrong.push(error.message));
+  page.on('request', request => { if (!/^(data|blob):/.test(request.url())) page.asked.push(request.url()); });
+  await page.goto(url);
+  return page;
+}
+function replay(name, ...words) {
+  rigor('run', ...words, '--quiet', '--out', join(work, name));
+  return pathToFileURL(join(work, name, 'replay.html')).href;
+}
+async function scrub(page, frame) {
+  await page.locator('#scrub').evaluate((bar, k) => { bar.value = k; bar.dispatchEvent(new Event('input')); }, frame);
+}
+async function no_serious_finding(page) {
+  const session = await page.context().newCDPSession(page);  // the page's own policy lets no script in; a debugger may
+  await session.send('Runtime.evaluate', {expression: axe});
+  const found = await page.evaluate(() => axe.run(document, {resultTypes: ['violations']}));
+  const serious = found.violations.filter(v => ['serious', 'critical'].includes(v.impact));
+  assert.deepEqual(serious.map(v => `${v.id}: ${v.nodes.map(n => n.target).join(' ')}`), []);
+}
+
+test('replay scrubs to the states of trajectory.csv', async () => {
+  const url = replay('states', 'assignment', '--seed', '3'), page = await open(url);
+  const rows = readFileSync(join(work, 'states/trajectory.csv'), 'utf8').trim().split('\n').slice(1).map(line => line.split(',').map(Number));
+  const largest = at => Math.max(...rows.flatMap(row => row.slice(at, at + 3).map(Math.abs)));
+  const last = +await page.locator('#scrub').getAttribute('max');
+  assert.ok(last > 500);
+  for (const frame of [0, 1, 17, 43, 200, last])
+    for (const body of [0, 4, 9]) {
+      await scrub(page, frame);
+      await page.selectOption('#body', String(body));
+      const time = parseFloat(await page.locator('#time').textContent());
+      const row = rows.find(r => Math.abs(r[0] - time) < 6e-4 && r[1] === body);
+      assert.ok(row, `trajectory.csv has no row at the time shown, ${time} s`);
+      const shown = await page.locator('#state tbody td').allTextContents(), w = await page.locator('#qw').textContent();
+      // four digits are shown; float32 positions below 16 m, a half of 1/32767 of the largest velocity, of 1 for quaternions
+      const check = (text, wanted, kept, what) => assert.ok(Math.abs(parseFloat(text) - wanted) <= 5.1e-5 + kept, `${what} of ${body} at ${time} s: ${text}, not ${wanted}`);
+      for (let k = 0; k < 3; ++k) {
+        check(shown[k], row[2 + k], 1e-6, 'position');
+        check(shown[3 + k], row[9 + k], largest(9) / 65534, 'velocity');
+        check(shown[6 + k], row[12 + k], largest(12) / 65534, 'spin');
+      }
+      const q = [parseFloat(w.slice(2)), ...shown.slice(9).map(parseFloat)], same = q.reduce((sum, x, k) => sum + x * row[5 + k], 0);
+      assert.ok(Math.abs(Math.abs(same) - 1) < 2e-4, `attitude of ${body} at ${time} s: ${q}`);
+    }
+  await scrub(page, 40);
+  await page.screenshot({path: join(pictures, 'replay.png')});
+  assert.deepEqual(page.wrong, []);
+  assert.deepEqual(page.asked, [url]);
+  await no_serious_finding(page);
+});
+
+test('replay plays, pauses, steps and draws', async () => {
+  const page = await open(replay('keys', 'drop'));
+  const time = async () => parseFloat(await page.locator('#time').textContent()), picture = () => page.locator('#canvas').evaluate(c => c.toDataURL());
+  const at_start = await picture();
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => parseFloat(document.getElementById('time').textContent) > 0.2);
+  assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause');
+  await page.keyboard.press(' ');
+  const paused = await time();
+  await page.waitForTimeout(150);
+  assert.equal(await time(), paused);
+  assert.ok(await picture() !== at_start, 'the picture moves');
+  await page.keyboard.press('Home');
+  assert.equal(await time(), 0);
+  assert.ok(await picture() === at_start, 'the picture is that of the start again');
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs(await time() - 1 / 60) < 1e-3);
+  await page.keyboard.press('End');
+  assert.equal(await time(), 3);
+  for (const [key, id] of [['f', 'follow'], ['c', 'contacts'], ['t', 'trails'], ['a', 'axes'], ['v', 'velocities']]) {
+    const was = await page.isChecked('#' + id);
+    await page.keyboard.press(key);
+    assert.equal(await page.isChecked('#' + id), !was, key);
+  }
+  assert.deepEqual(page.wrong, []);
+});
+
+test('replay shows two methods over each other and side by side', async () => {
+  const page = await open(replay('beside', 'spin-box', '--beside', 'rk4'), {colorScheme: 'dark'});
+  assert.deepEqual(await page.locator('#legend li').allTextContents(), ['sheet (solid)', 'rk4 (see-through)']);
+  await scrub(page, 120);
+  const sheet = await page.locator('#state tbody td').allTextContents();
+  await page.selectOption('#run', '1');
+  assert.notDeepEqual(await page.locator('#state tbody td').allTextContents(), sheet);
+  const over = await page.locator('#canvas').evaluate(c => c.toDataURL());
+  await page.check('#beside');
+  assert.ok(await page.locator('#canvas').evaluate(c => c.toDataURL()) !== over, 'the picture changes');
+  await page.check('#axes');
+  await page.screenshot({path: join(pictures, 'replay-two-methods-dark.png')});
+  assert.deepEqual(page.wrong, []);
+  await no_serious_finding(page);
+});
+
+test('replay fits a phone', async () => {
+  const page = await open(replay('phone', 'tumble'), {viewport: {width: 390, height: 780}, hasTouch: true});
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await page.screenshot({path: join(pictures, 'replay-phone.png')});
+  assert.deepEqual(page.wrong, []);
+});
+
+test('a name with HTML is a name, and no other script runs', async () => {
+  const scene = join(work, '<img src=x onerror=window.hurt=1>&quot;\'.json');
+  writeFileSync(scene, JSON.stringify({cuboids: [{size: [1, 2, 3], mass: 1, position: [0, 0, 0]}], until: 0.1}));
+  const page = await open(replay('name', scene));
+  assert.match(await page.title(), /<img src=x onerror=window\.hurt=1>&quot;'/);
+  assert.equal(await page.locator('img').count(), 0);
+  assert.deepEqual(page.wrong, []);
+  await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.hurt = 1';
+    document.body.append(script);
+  });
+  assert.equal(await page.evaluate(() => window.hurt), undefined);
+  assert.equal(page.wrong.length, 1, 'the browser says that the policy refused it');
+});
+
+test('a thousand cuboids', async t => {
+  const cuboids = [];
+  for (let i = 0; i < 1000; ++i) cuboids.push({size: [0.5, 0.7, 0.9], mass: 1, position: [2 * (i % 10), 3 + 2 * Math.floor(i / 100), 2 * (Math.floor(i / 10) % 10)], spin: [1, i / 500, 0.3]});
+  const scene = join(work, 'thousand.json');
+  writeFileSync(scene, JSON.stringify({cuboids, gravity: [0, 0, 0], until: 2, dt: 1 / 60, every: 1 / 30}));
+  const page = await open(replay('thousand', scene)), frames = 60;
+  const rate = await page.evaluate(async n => {
+    document.getElementById('play').click();
+    const start = performance.now();
+    for (let k = 0; k < n; ++k) await new Promise(requestAnimationFrame);
+    return n / (performance.now() - start) * 1000;
+  }, frames);
+  t.diagnostic(`1000 cuboids: ${rate.toFixed(0)} frames a second, drawn in software`);
+  await page.screenshot({path: join(pictures, 'replay-thousand.png')});
+  assert.deepEqual(page.wrong, []);
+});
