@@ -87,6 +87,27 @@ TEST(Recording, KeepsTheSumOfImpulsesThroughThinning) {
   EXPECT_LE(recording.frames(), 182u) << "1/60 s apart";
 }
 
+// r x j of the point shown is the change of angular momentum; and of all such points it is the nearest to the centre.
+TEST(Recording, ShowsAnImpulseKnownByItsEffectOnItsLineOfAction) {
+  const Scene scene = builtin_scene("tumble", 1);
+  State<double> before = scene.bodies[0].start, after = before;
+  before.p_WB = after.p_WB = {4, 5, 6};
+  const Vec3<double> j(0.3, -1.2, 2.0), r(0.4, 0.9, -0.7);
+  const Vec3<double> I = scene.bodies[0].shape.inertia();  // the start's axes are the world's
+  after.v_WB += j / scene.bodies[0].shape.mass();
+  const Vec3<double> turned(r[1] * j[2] - r[2] * j[1], r[2] * j[0] - r[0] * j[2], r[0] * j[1] - r[1] * j[0]);
+  for (int k = 0; k < 3; ++k) after.w_WB[k] += turned[k] / I[k];
+  Recording recording(scene, "run");
+  recording.impact(0, before, after);
+  recording.add(0, {after});
+  const Json touches = recording.packed()["touches"];
+  const auto p = unpacked<std::int16_t>(touches["p"]["steps"]);
+  const double largest = touches["p"]["largest"];
+  const Vec3<double> nearest = r - j * (r.dot(j) / j.dot(j));
+  ASSERT_EQ(p.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(p[k] * largest / 32767, after.p_WB[k] + nearest[k], largest * (0.5 / 32767 + 0x1p-22));
+}
+
 // Ten cuboids for a minute, each step offered, nearly all of it in contact: under 3 MB.
 TEST(Recording, KeepsAMinuteOfTenCuboidsUnderThreeMegabytes) {
   Scene scene = builtin_scene("assignment", 3);
