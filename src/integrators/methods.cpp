@@ -1,7 +1,11 @@
 #include <rigor/formulas/world_inertia.hpp>
 #include <rigor/integrators/euler.hpp>
+#include <rigor/integrators/lie_group.hpp>
 #include <rigor/integrators/method.hpp>
+#include <rigor/integrators/moser_veselov.hpp>
 #include <rigor/integrators/runge_kutta.hpp>
+#include <rigor/integrators/splitting.hpp>
+#include <rigor/integrators/taylor.hpp>
 
 namespace rigor {
 
@@ -17,6 +21,20 @@ const std::vector<Method>& methods() {
       {"euler-exponential", 1, "", 1, "Rodrigues' formula in place of the repair", step_euler_exponential},
       {"euler-momentum", 1, "L", 1, "angular momentum as state, case D-08", step_euler_momentum},
       {"rk4", 4, "", 4, "Kutta 1901, on quaternions", step_rk4},
+      {"implicit-midpoint", 2, "L, energy", 8, "Lewis and Simo 1994; Cayley's map", step_implicit_midpoint},
+      {"buss-augmented", 2, "L", 2, "Buss 2000", step_buss_augmented},
+      {"rkmk4", 4, "L", 4, "Munthe-Kaas 1998", step_rkmk4},
+      {"commutator-free4", 4, "L", 4, "Celledoni, Marthinsen and Owren 2003", step_commutator_free4},
+      {"split3", 2, "L", 4, "McLachlan 1993; Reich 1994", step_split3},
+      {"split3-yoshida4", 4, "L", 12, "Yoshida 1990", step_split3_yoshida4},
+      {"split2", 2, "L", 2, "Casimir taken out; docs/studies.md", step_split2},
+      {"split2-yoshida4", 4, "L", 6, "Yoshida 1990", step_split2_yoshida4},
+      {"split2-kahan-li6", 6, "L", 18, "Kahan and Li 1997", step_split2_kahan_li6},
+      {"split2-kahan-li8", 8, "L", 34, "Kahan and Li 1997", step_split2_kahan_li8},
+      {"moser-veselov", 2, "L, energy", 8, "Moser and Veselov 1991", step_moser_veselov},
+      {"moser-veselov4", 4, "L, energy", 8, "Hairer and Vilmart 2006", step_moser_veselov4},
+      {"moser-veselov8", 8, "L, energy", 8, "Hairer and Vilmart 2006", step_moser_veselov8},
+      {"taylor16", 16, "L", 16, "Taylor series of the quadratic equations", step_taylor16},
   };
   return rows;
 }

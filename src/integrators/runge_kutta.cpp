@@ -6,16 +6,16 @@ namespace rigor {
 namespace {
 
 // q' = q (0, ω_B)/2, ω_B' = I⁻¹ (τ_B − ω × Iω), the torque held in world axes
-struct Turning {
+struct Spinning {
   Vec4<double> q;
   Vec3<double> w_B;
 
-  Turning plus(double h, const Turning& rate) const { return {Vec4<double>(q + h * rate.q), Vec3<double>(w_B + h * rate.w_B)}; }
+  Spinning plus(double h, const Spinning& rate) const { return {Vec4<double>(q + h * rate.q), Vec3<double>(w_B + h * rate.w_B)}; }
 };
-Turning rate_of(const Cuboid<double>& body, const Turning& x, const Vec3<double>& tau_W) {
+Spinning rate_of(const Cuboid<double>& body, const Spinning& x, const Vec3<double>& tau_W) {
   const Vec3<double>& w = x.w_B;
   const Vec4<double>& q = x.q;
-  Turning rate;
+  Spinning rate;
   rate.q << -0.5 * (q[1] * w[0] + q[2] * w[1] + q[3] * w[2]), 0.5 * (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]),
       0.5 * (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]), 0.5 * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
   const Vec3<double> I = body.inertia(), tau_B = apply_transposed<double>(rotation_of<double>(q), tau_W);
@@ -28,10 +28,10 @@ Turning rate_of(const Cuboid<double>& body, const Turning& x, const Vec3<double>
 
 Motion step_rk4(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
   const State<double>& s = now.state;
-  const Turning x{quaternion_of<double>(s.R_WB), apply_transposed<double>(s.R_WB, s.w_WB)};
-  const Turning k1 = rate_of(body, x, load.tau_W), k2 = rate_of(body, x.plus(h / 2, k1), load.tau_W);
-  const Turning k3 = rate_of(body, x.plus(h / 2, k2), load.tau_W), k4 = rate_of(body, x.plus(h, k3), load.tau_W);
-  Turning y = x.plus(h / 6, k1).plus(h / 3, k2).plus(h / 3, k3).plus(h / 6, k4);
+  const Spinning x{quaternion_of<double>(s.R_WB), apply_transposed<double>(s.R_WB, s.w_WB)};
+  const Spinning k1 = rate_of(body, x, load.tau_W), k2 = rate_of(body, x.plus(h / 2, k1), load.tau_W);
+  const Spinning k3 = rate_of(body, x.plus(h / 2, k2), load.tau_W), k4 = rate_of(body, x.plus(h, k3), load.tau_W);
+  Spinning y = x.plus(h / 6, k1).plus(h / 3, k2).plus(h / 3, k3).plus(h / 6, k4);
   y.q /= std::sqrt(y.q.dot(y.q));
   const Vec3<double> a = body.inverse_mass() * load.f_W;  // constant force: the parabola, exactly
   State<double> next;

@@ -209,6 +209,34 @@ TEST(CoulombFriction, SaysJammedFromTheVanishingDenominatorOn) {
   EXPECT_EQ(outcome(Q(5)), FrictionOutcome::stuck);
 }
 
+// Jammed, and without friction at all, the answer is the frictionless impulse, along n whatever way n points.
+TEST(CoulombFriction, WithoutASlidingSolutionOrWithoutFrictionIsTheFrictionlessImpulse) {
+  Draw draw(67);
+  Mat3<Q> jam;  // axes t, n, across, as above
+  jam << Q(3), Q(1, 2), Q(-1, 2), Q(1, 2), Q(2), Q(-1, 2), Q(-1, 2), Q(-1, 2), Q(3);
+  for (int i = 0; i < 20; ++i) {
+    const Mat3<Q> R = draw.rotation(), K = R * jam * R.transpose();
+    const Vec3<Q> t = R.col(0), n = R.col(1), v_r = draw.positive() * (Q(1000) * t - n);
+    const Q e = draw.fraction(), j_n = -(Q(1) + e) * v_r.dot(n) / Q(2);
+    const auto jammed = coulomb_impulse<Q>(K, v_r, n, t, e, Q(9, 2), Q(9, 2));
+    EXPECT_EQ(jammed.outcome, FrictionOutcome::jammed);
+    EXPECT_EQ(jammed.j_W, Vec3<Q>(j_n * n));
+    const auto smooth = coulomb_impulse<Q>(K, v_r, n, t, e, Q(0), Q(0));
+    EXPECT_EQ(smooth.outcome, FrictionOutcome::slid);
+    EXPECT_EQ(smooth.j_W, Vec3<Q>(j_n * n));
+  }
+}
+
+// On the border of the cone it sticks: 0 coupling, |j_t| = mu_s j_n exactly.
+TEST(CoulombFriction, SticksOnTheBorderOfTheCone) {
+  const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0));
+  const Mat3<Q> K = Vec3<Q>(Q(5, 2), Q(1), Q(4)).asDiagonal();
+  const auto at = [&](const Q& v_t) { return coulomb_impulse<Q>(K, Vec3<Q>(v_t * t - n), n, t, Q(1, 2), Q(1, 3), Q(1, 4)).outcome; };
+  const Q border = Q(5, 2) * Q(1, 3) * Q(3, 2);  // k_tt mu_s (1 + e)/k_nn
+  EXPECT_EQ(at(border), FrictionOutcome::stuck);
+  EXPECT_EQ(at(border + Q(1, 1000000)), FrictionOutcome::slid);
+}
+
 // case FR-14: a cube's planar corner has its Painlevé bound at μ = 5/3. In the plane the bound is never met:
 // with μ ≥ k_nn/k_tn the stick trial's |j_t|/j_n = (k_nn v_t + k_tn a)/(k_tn v_t + k_tt a) is a mediant of
 // k_nn/k_tn and k_tn/k_tt < k_nn/k_tn.

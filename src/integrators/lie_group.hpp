@@ -1,0 +1,21 @@
+#pragma once
+#include <rigor/integrators/method.hpp>
+
+namespace rigor {
+
+/// R stays a product of rotations in all of these; L in world axes is the state and is kept to the bit without torque.
+
+/// Implicit mid-point on the angular momentum, Cayley's map for the attitude; fixed-point iteration to rounding. Order 2,
+/// symmetric; keeps the energy to rounding too.
+Motion step_implicit_midpoint(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Buss' augmented second-order method: one rotation by h ω + h²/2 ω̇ with the commutator's h³/12. Order 2.
+Motion step_buss_augmented(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Runge, Kutta and Munthe-Kaas: the classical four stages in the Lie algebra, one exponential of their sum. Order 4.
+Motion step_rkmk4(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Commutator-free, four stages, two exponentials. Order 4.
+Motion step_commutator_free4(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+}  // namespace rigor
