@@ -7,6 +7,7 @@
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/study.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <rigor/studies/drift.hpp>
 
 namespace rigor::cli {
 namespace {
@@ -15,7 +16,8 @@ struct Options {
   std::string kind, out;
   std::vector<std::string> problems, methods;
   int rungs = 8;
-  long coarsest = 50;
+  long coarsest = 50, steps = 1000000;
+  double step = 0.01;
   bool json = false, quiet = false;
 };
 
@@ -24,9 +26,34 @@ int bad_input(const std::string& text) {
   return 2;
 }
 
+int written(const Options& options, const std::string& csv, const std::string& html, const std::string& text) {
+  if (!options.out.empty())
+    for (const auto& [name, content] : {std::pair{"study.csv", csv}, std::pair{"study.html", html}})
+      if (const auto done = write_file(std::filesystem::path(options.out) / name, content); !done) return bad_input(done.fault().text());
+  if (!options.quiet) std::fputs(text.c_str(), stdout);
+  return interrupted() != 0 ? 128 + interrupted() : 0;
+}
+
+// One problem's free flight, far beyond its end.
+int long_flights(const Options& options, const std::vector<std::string>& names) {
+  if (options.json) return bad_input("--json: drift and stability write study.csv and study.html");
+  if (options.problems.size() > 1) return bad_input("--problem: one at a time for drift and stability");
+  const studies::Problem& problem = *studies::find_problem(options.problems.empty() ? "case-A" : options.problems[0]);
+  const std::string command = "rigor study " + options.kind + " --problem " + problem.name + " (rigor " RIGOR_VERSION ")";
+  if (options.kind == "drift") {
+    std::vector<studies::Drift> rows;
+    for (const std::string& name : names) rows.push_back(studies::drift_of(problem, *find_method(name), options.step, options.steps));
+    return written(options, studies::drift_csv(problem, rows), studies::drift_html(problem, rows, command), studies::drift_text(problem, rows));
+  }
+  std::vector<studies::Stability> rows;
+  for (const std::string& name : names) rows.push_back({find_method(name), studies::stable_angle(problem, *find_method(name))});
+  return written(options, studies::stability_csv(problem, rows), studies::stability_html(problem, rows, command), studies::stability_text(problem, rows));
+}
+
 int study_command(const Options& options) {
-  if (options.kind != "convergence" && options.kind != "work-precision")
-    return bad_input("there is no study '" + options.kind + "'" + did_you_mean(options.kind, {"convergence", "work-precision"}) + "; there are convergence, work-precision");
+  const std::vector<std::string> kinds{"convergence", "work-precision", "drift", "stability"};
+  if (std::find(kinds.begin(), kinds.end(), options.kind) == kinds.end())
+    return bad_input("there is no study '" + options.kind + "'" + did_you_mean(options.kind, kinds) + "; there are convergence, work-precision, drift, stability");
   const std::vector<std::string> problem_names = studies::problem_names();
   std::vector<std::string> method_names;
   for (const Method& m : methods()) method_names.push_back(std::string(m.name));
@@ -36,6 +63,7 @@ int study_command(const Options& options) {
     if (std::find(problem_names.begin(), problem_names.end(), name) == problem_names.end()) return bad_input("--problem: there is no problem '" + name + "'" + did_you_mean(name, problem_names));
   for (const std::string& name : options.methods)
     if (find_method(name) == nullptr) return bad_input("--method: there is no method '" + name + "'" + did_you_mean(name, method_names));
+  if (options.kind == "drift" || options.kind == "stability") return long_flights(options, chosen(options.methods, method_names));
   const int repeats = options.kind == "work-precision" ? 5 : 1;
   for (const std::string& problem : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
     for (const std::string& method : chosen(options.methods, method_names))
@@ -57,12 +85,14 @@ int study_command(const Options& options) {
 
 void add_study(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("study", "error against step, run time against error, for every method");
-  command->add_option("KIND", options->kind, "convergence or work-precision")->required();
+  CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift and stability, for every method");
+  command->add_option("KIND", options->kind, "convergence, work-precision, drift or stability")->required();
   command->add_option("--problem", options->problems, "case-A, case-B, case-C, short-A, fb-05, thrown, forced")->delimiter(',');
   command->add_option("--method", options->methods, "integrators; all by default")->delimiter(',');
   command->add_option("--coarsest", options->coarsest, "steps of the first run")->check(CLI::Range(1L, 1000000L))->capture_default_str();
   command->add_option("--rungs", options->rungs, "halvings of the step")->check(CLI::Range(1, 24))->capture_default_str();
+  command->add_option("--steps", options->steps, "of drift")->check(CLI::Range(1L, 1000000000L))->capture_default_str();
+  command->add_option("--step", options->step, "of drift, s")->check(CLI::Range(1e-9, 1e3))->capture_default_str();
   command->add_option("--out", options->out, "directory for study.csv, study.json, study.html");
   command->add_flag("--json", options->json, "print study.json");
   command->add_flag("--quiet", options->quiet, "print nothing");

@@ -141,6 +141,7 @@ TEST(EveryMethod, ShowsItsOrderOnASquarePrism) {
   for (const Method& m : methods()) {
     const State<double> s = generic(), want = prism_at(s, 1);
     const auto error = [&](long n) { return angle_between<double>(fly(std::string(m.name).c_str(), prism, s, 1, n, no_load).R_WB, want.R_WB); };
+    if (error(400) < 1e-12) continue;  // order 6 and above is at rounding; split2 turns a symmetric body exactly
     const double order = std::log2(error(200) / error(400));
     EXPECT_NEAR(order, m.order, 0.1) << m.name;
   }

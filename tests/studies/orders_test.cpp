@@ -43,7 +43,7 @@ TEST(Orders, AreThoseStated) {
   }
 }
 
-// What a method says it conserves: L to the bit, the energy to rounding over a thousand steps of 0.01 s.
+// case D-09. What a method says it conserves: L to the bit, the energy to rounding over a thousand steps of 0.01 s.
 TEST(Orders, WhatIsConservedIsConserved) {
   const Problem& problem = *find_problem("case-A");
   const double energy = motion_of(problem.body, problem.start).L_W.dot(problem.start.w_WB) / 2;

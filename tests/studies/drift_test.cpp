@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <rigor/studies/drift.hpp>
+
+namespace rigor::studies {
+namespace {
+
+// case FB-09: over 2e4 steps the methods that conserve something conserve it; explicit Euler gains.
+TEST(Drift, OfTheConservingMethodsIsRoundingAndOfExplicitEulerOfFirstOrder) {
+  const Problem& problem = *find_problem("case-A");
+  for (const char* name : {"implicit-midpoint", "moser-veselov", "moser-veselov4", "moser-veselov8"}) {
+    const Drift d = drift_of(problem, *find_method(name), 0.01, 20000);
+    EXPECT_LT(d.energy, 1e-12) << name;  // 2e4 steps of a few u, were they all of one sign
+    EXPECT_EQ(d.momentum, 0) << name;
+    EXPECT_TRUE(d.finite);
+  }
+  // explicit Euler gains every step (D-07), so over a time in proportion to h
+  const double coarse = drift_of(problem, *find_method("explicit-euler"), 1e-4, 1000).energy, fine = drift_of(problem, *find_method("explicit-euler"), 5e-5, 2000).energy;
+  EXPECT_GT(fine, 0);
+  EXPECT_NEAR(coarse / fine, 2, 0.01);
+}
+
+// case E-06: the jitter of a method that keeps the energy is rounding, and a part of the worst drift for the others.
+TEST(Drift, JitterIsTheSpreadOfTheEnergysSteps) {
+  const Problem& problem = *find_problem("case-A");
+  EXPECT_LT(drift_of(problem, *find_method("moser-veselov"), 0.01, 1000).energy_jitter, 8 * 0x1p-53);
+  const Drift split = drift_of(problem, *find_method("split3"), 0.01, 1000);
+  EXPECT_GT(split.energy_jitter, 1e-9);
+  EXPECT_LT(split.energy_jitter, split.energy);
+}
+
+// case S-03: first-order methods lose the energy at small angles; the implicit ones hold to an angle of some radians; a halved
+// spin doubles the step but not the angle.
+TEST(Stability, IsAnAngleAndOrdersTheMethods) {
+  const Problem& problem = *find_problem("case-A");
+  const auto angle = [&](const char* name) { return stable_angle(problem, *find_method(name)); };
+  EXPECT_LT(angle("explicit-euler"), angle("euler-exponential"));
+  EXPECT_LT(angle("sheet"), 0.1);
+  EXPECT_GT(angle("rk4"), 0.3);
+  EXPECT_GT(angle("implicit-midpoint"), 2);
+  Problem slower = problem;
+  slower.start.w_WB /= 2;
+  EXPECT_EQ(stable_angle(slower, *find_method("split3")), angle("split3"));
+}
+
+}  // namespace
+}  // namespace rigor::studies
