@@ -17,7 +17,7 @@ struct Options {
   std::vector<std::string> beside;
   std::optional<double> dt, until, every;
   std::uint64_t seed = 0;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, no_skip = false;
 };
 
 int bad_input(const Fault& fault) {
@@ -41,6 +41,11 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
     std::printf("  bounces ended      cuboid %zu at t = %.9g s; the ones left out would have taken %.2g s\n", a.body, a.at, a.tail);
   for (const HandOver& h : run.handed_over)
     std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s: %s\n", h.body, h.from, h.to, h.why.c_str());
+  const auto skips = [](long left_out, long of, const char* what) {
+    if (of > 0) std::printf("  skipped            %11.1f %%           of %ld %s\n", 100 * double(left_out) / double(of), of, what);
+  };
+  skips(l.skips.pairs, l.skips.pairs_of, "pairs: never near each other in that step");
+  skips(l.skips.planes, l.skips.planes_of, "cuboids against planes: no corner reaches it");
   std::printf("  deepest overlap    %12.3g m         rotation matrices off orthonormal by %.2g\n", l.deepest_penetration, l.worst_orthonormality);
 }
 
@@ -54,7 +59,7 @@ std::string lead(const Scene& scene, const RunSummary& run) {
 }
 
 // Runs the scene by its method; what is to be replayed goes into `recording`, where there is one.
-Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recording, const Observer& observe) {
+Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recording, const Observer& observe, bool skip = true) {
   const Observer both = [&](double t, const std::vector<State<double>>& states) {
     observe(t, states);
     if (recording != nullptr) recording->add(t, states);
@@ -65,7 +70,7 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
     });
   return simulate(scene, both, [&](const Impact& impact) {
     if (recording != nullptr) recording->impact(impact);
-  });
+  }, skip);
 }
 
 // The scene once more by each method of --beside, only to be looked at.
@@ -98,7 +103,7 @@ int run_command(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto done = simulate_recorded(scene, keep ? &recordings[0] : nullptr, [&](double t, const std::vector<State<double>>& states) {
     if (keep) csv.add(t, states);
-  });
+  }, !options.no_skip);
   if (!done) return bad_input(done.fault());
   const RunSummary run = *done;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -141,6 +146,7 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--seed", options->seed, "of the scene's random numbers");
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
+  command->add_flag("--no-skip", options->no_skip, "look at every pair and plane in every step (steppers); the same bits, slower");
   command->add_flag("--json", options->json, "print summary.json");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->footer("Example:  rigor run assignment --seed 3 --out runs/three");

@@ -18,6 +18,10 @@ struct Ledger {
     Vec3<double> external = start;  ///< given by gravity, forces, planes (and, for L, by position corrections)
     double worst_drift = 0;
   } linear, angular;                ///< N s; kg m²/s about the world's origin
+  struct Skips {
+    long pairs = 0, pairs_of = 0;     ///< pairs no step looked at, being far apart; of all pairs in all steps
+    long planes = 0, planes_of = 0;   ///< cuboids against planes settled by the sphere around the cuboid; of all
+  } skips;
   long impacts = 0, plane_impacts = 0, pair_impacts = 0;
   long energy_rises = 0;            ///< impacts after which there was more kinetic energy than before
   double worst_orthonormality = 0;  ///< max |RᵀR − 1| seen

@@ -4,8 +4,9 @@
 
 namespace rigor {
 
-RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact) {
+RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact, bool skip) {
   World world(scene, on_impact);
+  if (!skip) world.skip_nothing();
   RunSummary summary;
   observe(0, world.states());
   const long steps = std::max(0L, long(std::ceil(scene.until / scene.dt - 1e-9)));

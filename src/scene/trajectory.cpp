@@ -78,7 +78,7 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
       {"impacts", {{"total", l.impacts}, {"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}}},
       {"deepest_penetration", number(l.deepest_penetration)},
       {"orthonormality_defect", number(l.worst_orthonormality)},
-      {"skips", nlohmann::ordered_json::object()},
+      {"skips", {{"pairs", l.skips.pairs}, {"pairs_of", l.skips.pairs_of}, {"planes", l.skips.planes}, {"planes_of", l.skips.planes_of}}},
       {"handed_over", handed_over},
       {"accumulations", accumulations},
       {"stopped", run.stopped},

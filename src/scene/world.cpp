@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <rigor/base/promise.hpp>
 #include <rigor/collision/box_box.hpp>
 #include <rigor/collision/handed_out_pair.hpp>
+#include <rigor/collision/near_pairs.hpp>
 #include <rigor/contact/plane_response.hpp>
 #include <rigor/formulas/momentum.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -16,6 +18,7 @@ World::World(Scene scene, ImpactObserver on_impact)
     : scene_(std::move(scene)), on_impact_(std::move(on_impact)), method_(find_method(scene_.method)), random_(scene_.seed) {
   promise(method_ != nullptr, "a checked scene names a method");
   for (const SceneBody& b : scene_.bodies) motions_.push_back(motion_of(b.shape, b.start));
+  for (const SceneBody& b : scene_.bodies) reach_.push_back(norm<double>(b.shape.size()) / 2 + 0.01);
   loads_.resize(motions_.size());
   vacuum_.assign(motions_.size(), Wrench<double>{});
   gravity_ = scene_.gravity;
@@ -29,8 +32,7 @@ void World::step(double t, double h) {
   sum_forces(t);
   for (std::size_t i = 0; i < motions_.size(); ++i)
     for (const Plane<double>& plane : scene_.planes) against_plane(i, plane);
-  for (std::size_t i = 0; i < motions_.size(); ++i)
-    for (std::size_t j = i + 1; j < motions_.size(); ++j) against_each_other(i, j);
+  pairs();
   for (std::size_t i = 0; i < motions_.size(); ++i) advance(i, h);
   audit();
 }
@@ -112,10 +114,15 @@ void World::move(std::size_t i, const V& shift) {
   ledger_.energy.correction -= shape(i).mass() * dot<double>(gravity_, shift);
   ledger_.angular.external += cross<double>(shift, V(shape(i).mass() * s.v_WB));
   s.p_WB += shift;
+  if (i < shifted_.size()) worst_shift_ = std::fmax(worst_shift_, shifted_[i] += norm<double>(shift));
 }
 void World::against_plane(std::size_t i, const Plane<double>& plane) {
   const State<double> before = motions_[i].state;
-  if (plane.gap(before.p_WB) > norm<double>(shape(i).size()) / 2 * 1.000001) return;  // no corner reaches it
+  ++ledger_.skips.planes_of;
+  if (skip_ && plane.gap(before.p_WB) > norm<double>(shape(i).size()) / 2 * 1.000001) {  // no corner reaches it
+    ++ledger_.skips.planes;
+    return;
+  }
   const PlaneResponse<double> response = respond_to_plane<double>(shape(i), before, plane, scene_.surface, scene_.friction_law, loads_[i].f_W);
   if (response.corners == 0) return;
   ledger_.deepest_penetration = std::fmax(ledger_.deepest_penetration, norm<double>(response.shift));
@@ -132,9 +139,35 @@ void World::against_plane(std::size_t i, const Plane<double>& plane) {
   motions_[i] = motion_of(shape(i), s);
   ledger_.angular.external += cross<double>(s.p_WB, push) + motions_[i].L_W - motion_of(shape(i), before).L_W;
 }
+// Every pair i < j in order; those far apart are left out. Position corrections may bring bodies nearer while the pairs are
+// gone through: the margin allows for that, and where it does not suffice the rest of the step looks at everybody.
+void World::pairs() {
+  const std::size_t n = motions_.size();
+  ledger_.skips.pairs_of += long(n) * (long(n) - 1) / 2;
+  std::size_t i = 0, j = 0;
+  if (skip_) {
+    std::vector<V> centres;
+    for (const Motion& m : motions_) centres.push_back(m.state.p_WB);
+    const double margin = n == 0 ? 0 : *std::max_element(reach_.begin(), reach_.end()) / 4;
+    const auto near = near_pairs(centres, reach_, margin);
+    shifted_.assign(n, 0);
+    worst_shift_ = 0;
+    std::size_t looked = 0;
+    for (; looked < near.size() && 2 * worst_shift_ <= margin; ++looked) {
+      i = near[looked].first, j = near[looked].second;
+      against_each_other(i, j);
+    }
+    if (2 * worst_shift_ <= margin) {
+      ledger_.skips.pairs += long(n) * (long(n) - 1) / 2 - long(near.size());
+      return;
+    }
+  }
+  for (; i < n; ++i, j = i)
+    for (j = j < i ? i + 1 : j + 1; j < n; ++j) against_each_other(i, j);
+}
 void World::against_each_other(std::size_t i, std::size_t j) {
   const State<double>&a = motions_[i].state, &b = motions_[j].state;
-  const double reach = (norm<double>(shape(i).size()) + norm<double>(shape(j).size())) / 2 + 0.02;
+  const double reach = reach_[i] + reach_[j];
   const V between = b.p_WB - a.p_WB;
   if (dot<double>(between, between) > reach * reach) return;
   V point, n;

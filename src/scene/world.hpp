@@ -35,6 +35,9 @@ class World {
   bool gravity() const { return gravity_on_; }
   bool vacuum() const { return vacuum_on_; }
 
+  /// Look at every pair in every step. What is skipped otherwise cannot touch: the result has the same bits.
+  void skip_nothing() { skip_ = false; }
+
   /// A key press, now.
   void press(SceneAction::Do what);
   void set_surface(const Surface<double>& surface) { scene_.surface = surface; }
@@ -58,6 +61,7 @@ class World {
   void note(int A, std::size_t B, const Vec3<double>& p_WC, const ImpactReport<double>& report);
   void move(std::size_t i, const Vec3<double>& shift);
   void against_plane(std::size_t i, const Plane<double>& plane);
+  void pairs();
   void against_each_other(std::size_t i, std::size_t j);
   void advance(std::size_t i, double h);
   double potential() const;
@@ -77,6 +81,10 @@ class World {
   Vec3<double> gravity_;
   bool gravity_on_ = true, vacuum_on_ = false;
   std::size_t next_action_ = 0;
+  bool skip_ = true;
+  std::vector<double> reach_;  // of each cuboid: half its diagonal and 0.01 m
+  std::vector<double> shifted_;  // by position corrections since `pairs` began, m
+  double worst_shift_ = 0;
   Ledger ledger_;
 };
 

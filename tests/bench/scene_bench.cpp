@@ -32,6 +32,6 @@ void sheet_step(benchmark::State& state) {
   state.counters["ns_per_step"] = benchmark::Counter(double(steps) * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["ns_per_body_step"] = benchmark::Counter(double(steps) * n * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(sheet_step)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(sheet_step)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
