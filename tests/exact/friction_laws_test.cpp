@@ -270,6 +270,14 @@ TEST(CoulombFriction, WithoutCouplingIsTheClampedStop) {
   EXPECT_EQ(coulomb_impulse<Q>(K, v_r, n, t, Q(0), Q(1), Q(1)).j_W[0], Q(-1, 5));  // Δv_x = −2/5 · 1/2
 }
 
+// The last moment is named by where the pull goes: with k_tn > 0, too strong to hold, it slides on along +t although k_tn < 1.
+TEST(PlanarImpact, NamesTheModeByTheSignOfTheCoupling) {
+  const auto mode = [](const Q& k_tn, const Q& mu) { return planar_impulse<Q>({Q(3), Q(1), k_tn, Q(-1), Q(0), Q(0), mu, mu}, Restitution::poisson).mode; };
+  EXPECT_EQ(mode(Q(1, 2), Q(1, 4)), PlanarMode::sliding);
+  EXPECT_EQ(mode(Q(-1, 2), Q(1, 4)), PlanarMode::reversed);
+  EXPECT_EQ(mode(Q(1, 2), Q(1, 2)), PlanarMode::sticking) << "on the border static friction holds";
+}
+
 // case FR-13: against the process, leg by leg, for random planar impacts in all modes.
 // id: friction.stronge_planar
 TEST(PlanarImpact, IsTheProcessFollowedMomentByMoment) {

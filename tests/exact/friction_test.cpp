@@ -53,4 +53,18 @@ TEST(PositionalCorrection, PutsTheDeepestCornerOnThePlaneAndLeavesAFreeBodyAlone
   }
 }
 
+// However little it is inside.
+TEST(PositionalCorrection, MovesASmallDepthToo) {
+  const Vec3<Q> n(Q(2, 7), Q(3, 7), Q(6, 7));
+  EXPECT_EQ(positional_correction<Q>(Q(1, 1000), n), Vec3<Q>(Q(1, 1000) * n));
+}
+
+// Zero slip is judged at 4 u of the velocity: a tangential part a tenth above gives a direction, a tenth below gives none.
+TEST(FrictionTangent, CountsFourRoundingsOfTheVelocityAsNoSlip) {
+  const Vec3<double> n(0, 1, 0), none = zero3<double>();
+  const double threshold = 4 * 0x1p-53;
+  EXPECT_EQ(friction_tangent<double>(Vec3<double>(1.1 * threshold, 1, 0), none, n), Vec3<double>(1, 0, 0));
+  EXPECT_EQ(friction_tangent<double>(Vec3<double>(0.9 * threshold, 1, 0), none, n), none);
+}
+
 }  // namespace rigor
