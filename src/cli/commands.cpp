@@ -1,4 +1,5 @@
 #include <rigor/cli/audit.hpp>
+#include <rigor/cli/check_table.hpp>
 #include <rigor/cli/class.hpp>
 #include <rigor/cli/commands.hpp>
 #include <rigor/cli/demo.hpp>
@@ -19,6 +20,7 @@ void add_commands(CLI::App& app, int& exit_status) {
   add_export(app, exit_status);
   add_run(app, exit_status);
   add_study(app, exit_status);
+  add_check_table(app, exit_status);
   add_verify(app, exit_status);
   add_explain(app, exit_status);
 }

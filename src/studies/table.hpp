@@ -1,0 +1,27 @@
+#pragma once
+#include <rigor/base/outcome.hpp>
+#include <string>
+#include <vector>
+
+namespace rigor::studies {
+
+/// The frozen table of free flights (reference/tables/free-flight.csv), made anew: inputs exact in binary, results by the
+/// Taylor series in 60 digits, written with 30. Takes about a minute.
+std::string free_flight_table();
+
+/// Somebody's answers against the table, one line a stratum.
+struct TableRow {
+  std::string stratum;
+  int answered = 0, of = 0;
+  double attitude = 0;   ///< worst, rad
+  double spin = 0;       ///< worst, relative to |ω|
+  std::string worst;     ///< the case with the worst attitude
+};
+/// `theirs`: CSV with a header and the columns case, qw, qx, qy, qz, wx, wy, wz (attitude body to world, spin in body axes),
+/// in any order; other columns are passed by. Faults name line and column: missing (a column, every case), unknown_key (a
+/// case that is not in the table, or twice), wrong_type or not_finite (a cell), not_unit (a quaternion off by more than 1e-3).
+Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::string& theirs, const std::string& name);
+
+std::string table_text(const std::vector<TableRow>& rows);
+
+}  // namespace rigor::studies
