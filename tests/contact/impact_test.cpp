@@ -112,9 +112,40 @@ TEST(PlaneResponse, PushesOutAlongTheNormalAndHitsTheCornersBehind) {
   C.p_BC_W = box.corner(5);
   EXPECT_EQ(other.after.w_WB, resolve_impact<Q>({{}, C, down, zero3<Q>()}, {{}, {t.v_WB, t.w_WB}}, surface, FrictionLaw::sheet).after.B.w_WB);
 
-  // exactly on the plane is not behind it
+  // exactly on the plane is not behind it: alone, and beside two that are
   s.p_WB = Q(26, 7) * n;
   EXPECT_EQ(respond_to_plane<Q>(box, s, plane, surface, FrictionLaw::sheet).corners, 0);
+  State<Q> leaning;
+  leaning.R_WB << Q(3, 5), Q(-4, 5), Q(0), Q(4, 5), Q(3, 5), Q(0), Q(0), Q(0), Q(1);
+  leaning.p_WB = VQ(Q(0), Q(2, 5), Q(0));  // corners 1 and 5 at height 2/5 + 4/5 - 6/5 = 0, corners 0 and 4 below
+  leaning.v_WB = VQ(Q(0), Q(-1), Q(0));
+  leaning.w_WB = VQ(Q(0), Q(0), Q(-10));   // and 1 and 5 approach
+  const auto beside = respond_to_plane<Q>(box, leaning, *Plane<Q>::make(VQ(Q(0), Q(0), Q(0)), VQ(Q(0), Q(1), Q(0))), surface, FrictionLaw::sheet);
+  EXPECT_EQ(beside.corners, 2);
+  EXPECT_TRUE(beside.reports[1].separating && beside.reports[5].separating);
+}
+
+// An elastic impact without friction changes the energy by rounding only: not a rise, whatever the scale.
+TEST(ImpactReport, CallsRoundingNoRise) {
+  const auto box = *Cuboid<double>::make(2, {0.5, 0.25, 1});
+  std::uint64_t random = 88172645463325252u;
+  const auto draw = [&] {
+    random ^= random << 13, random ^= random >> 7, random ^= random << 17;
+    return double(random >> 11) * 0x1p-52 - 1;
+  };
+  int above = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const double scale = std::exp2(k % 41 - 20);
+    const Vec3<double> n(2.0 / 7, 3.0 / 7, 6.0 / 7);
+    const ImpactBody<double> B{box.inverse_mass(), world_inverse_inertia<double>(identity3<double>(), box.inverse_inertia()), box.corner(k % 8)};
+    PairVelocity<double> u;
+    u.B.v_WB = scale * Vec3<double>(draw(), draw(), draw());
+    u.B.w_WB = scale * Vec3<double>(draw(), draw(), draw());
+    const auto result = resolve_impact<double>({{}, B, n, zero3<double>()}, u, *Surface<double>::make(1, 0, 0), FrictionLaw::sheet);
+    above += result.report.energy_change > 0;
+    EXPECT_FALSE(result.report.energy_rose) << k;
+  }
+  EXPECT_GT(above, 100) << "rounding goes both ways";
 }
 
 TEST(Surface, HasNamesForItsLawsAndIsFrictionlessOnlyWithoutBoth) {

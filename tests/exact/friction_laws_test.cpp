@@ -227,6 +227,16 @@ TEST(CoulombFriction, WithoutASlidingSolutionOrWithoutFrictionIsTheFrictionlessI
   }
 }
 
+// A slide whose slip is just used up at the end slid; it did not stop inside. (The coupling across keeps it from sticking.)
+TEST(CoulombFriction, ASlideThatEndsWithNoSlipAlongIsASlide) {
+  Mat3<Q> K;  // axes t, n, across
+  K << Q(3), Q(1, 2), Q(-1, 2), Q(1, 2), Q(2), Q(-1, 2), Q(-1, 2), Q(-1, 2), Q(3);
+  const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0));
+  const Q j_n = Q(1) / (Q(2) - Q(1, 8)), slip = -(Q(3) * (-j_n / Q(4)) + j_n / Q(2));
+  EXPECT_EQ(coulomb_impulse<Q>(K, Vec3<Q>(slip * t - n), n, t, Q(0), Q(1, 4), Q(1, 4)).outcome, FrictionOutcome::slid);
+  EXPECT_EQ(coulomb_impulse<Q>(K, Vec3<Q>((slip - Q(1, 10000)) * t - n), n, t, Q(0), Q(1, 4), Q(1, 4)).outcome, FrictionOutcome::slip_stopped_inside);
+}
+
 // On the border of the cone it sticks: 0 coupling, |j_t| = mu_s j_n exactly.
 TEST(CoulombFriction, SticksOnTheBorderOfTheCone) {
   const Vec3<Q> t(Q(1), Q(0), Q(0)), n(Q(0), Q(1), Q(0));
@@ -276,6 +286,8 @@ TEST(PlanarImpact, NamesTheModeByTheSignOfTheCoupling) {
   EXPECT_EQ(mode(Q(1, 2), Q(1, 4)), PlanarMode::sliding);
   EXPECT_EQ(mode(Q(-1, 2), Q(1, 4)), PlanarMode::reversed);
   EXPECT_EQ(mode(Q(1, 2), Q(1, 2)), PlanarMode::sticking) << "on the border static friction holds";
+  for (const Restitution rule : {Restitution::poisson, Restitution::newton})  // fast: slips on to the end, where it would have stuck
+    EXPECT_EQ(planar_impulse<Q>({Q(3), Q(1), Q(1, 2), Q(-1), Q(100), Q(1, 2), Q(1), Q(3, 4)}, rule).mode, PlanarMode::sliding);
 }
 
 // case FR-13: against the process, leg by leg, for random planar impacts in all modes.
