@@ -113,6 +113,8 @@ TEST(LocatedPairs, KeepMomentaAndLoseTheEnergyOfRestitution) {
     EXPECT_LT(norm<double>(P), 1e-14 * size) << c;
     EXPECT_LT(norm<double>(L), 2e-14 * size) << c;  // positions of up to 25 m, attitudes to 1e-15, a few impacts
     EXPECT_LT(done->ledger.energy.worst_drift, 1e-13 * done->ledger.energy.start) << c;
+    EXPECT_LT(done->ledger.angular.worst_drift, 2e-14 * size) << c;
+    EXPECT_EQ(norm<double>(done->ledger.angular.external), 0) << "nothing from outside";
     if (c % 2 == 0) {
       EXPECT_LT(std::fabs(done->ledger.energy.restitution_loss), 1e-13 * done->ledger.energy.start);
     } else {
@@ -167,6 +169,9 @@ TEST(LocatedPairs, EightElasticCuboidsInARoomKeepTheirEnergyAndTheirDistance) {
     EXPECT_GT(outside, -1e-13) << run;
     // every impact leaves a few u of the energies it exchanged
     EXPECT_LT(done->ledger.energy.worst_drift, double(done->ledger.impacts) * 64 * 0x1p-53 * done->ledger.energy.start) << run;
+    // momenta: of the size of mass, speed and room (20 kg, 10 m/s, 3 m), a few u an impact
+    EXPECT_LT(done->ledger.linear.worst_drift, double(done->ledger.impacts) * 64 * 0x1p-53 * 200) << run;
+    EXPECT_LT(done->ledger.angular.worst_drift, double(done->ledger.impacts) * 64 * 0x1p-53 * 600) << run;
   }
 }
 
