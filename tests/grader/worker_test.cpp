@@ -174,7 +174,11 @@ TEST_P(Hostile, ComesToNothing) {
   for (int call = 0; call < 2; ++call) {
     const Answer answer = worker.call(generic(Function::plane_response));
     if (call == 0) {
-      EXPECT_EQ(kind_of(answer), expected == "not-compiled" ? "reply" : expected) << what[0] << ": " << words_of(answer);
+      // without namespaces there is a program to become: its loader may then open nothing, and it ends itself
+      bool namespaces = false;
+      for (const std::string& layer : worker.isolation()) namespaces = namespaces || layer.rfind("bubblewrap", 0) == 0;
+      const std::string comes = expected == "not-compiled" ? "reply" : GetParam() == "executes" && !namespaces ? "exited" : expected;
+      EXPECT_EQ(kind_of(answer), comes) << what[0] << ": " << words_of(answer);
     }
     const Reply* reply = std::get_if<Reply>(&answer);
     const bool computes = GetParam() == "answers-nan" || GetParam() == "interposes-the-library";
