@@ -70,7 +70,7 @@ Outcome<std::string> grade_class(const fs::path& out) {
     if (const auto written = write_file(out / "class" / report.submission / "report.html", grader::report_html(report)); !written) return written.fault();
     if (const auto written = write_file(out / "class" / report.submission / "report.json", grader::report_json(report)); !written) return written.fault();
     const std::string found = findings(report);
-    std::printf("   %-26s %5.4g of %g   %-44.44s\n", report.submission.c_str(), report.score, report.max_score, found.c_str());
+    std::printf("   %-26s %5.4g of %g%s%s\n", report.submission.c_str(), report.score, report.max_score, found.empty() ? "" : "   ", found.c_str());
     std::fflush(stdout);
     char score[32];
     std::snprintf(score, sizeof score, "%g", report.score);

@@ -31,10 +31,14 @@ void merge(verify::Result& sum, const verify::Result& more) {
     sum.roundings[i].cases += more.roundings[i].cases;
     sum.roundings[i].worst = std::max(sum.roundings[i].worst, more.roundings[i].worst);
   }
-  for (std::size_t i = 0; i < sum.agreements.size(); ++i) {
-    sum.agreements[i].cases += more.agreements[i].cases;
-    sum.agreements[i].worst = std::max(sum.agreements[i].worst, more.agreements[i].worst);
-  }
+  const auto merge_agreements = [](std::vector<verify::Agreement>& rows, const std::vector<verify::Agreement>& others) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].cases += others[i].cases;
+      rows[i].worst = std::max(rows[i].worst, others[i].worst);
+    }
+  };
+  merge_agreements(sum.agreements, more.agreements);
+  merge_agreements(sum.engines, more.engines);
 }
 
 nlohmann::json as_json(const verify::Result& result, const Options& options) {
@@ -43,32 +47,41 @@ nlohmann::json as_json(const verify::Result& result, const Options& options) {
     out["identities"].push_back({{"id", r.id}, {"says", r.says}, {"cases", r.cases}, {"held", r.held}});
   for (const auto& r : result.roundings)
     out["roundings"].push_back({{"id", r.id}, {"bound", r.bound}, {"cases", r.cases}, {"worst_ratio", r.worst}});
-  for (const auto& r : result.agreements)
-    out["agreements"].push_back(
-        {{"id", r.id}, {"oracle", r.oracle}, {"cases", r.cases}, {"worst", r.worst}, {"bound", r.bound}});
+  const auto agreement = [](const verify::Agreement& r) {
+    return nlohmann::json{{"id", r.id}, {"oracle", r.oracle}, {"cases", r.cases}, {"worst", r.worst}, {"bound", r.bound}};
+  };
+  for (const auto& r : result.agreements) out["agreements"].push_back(agreement(r));
+  for (const auto& r : result.engines) out["engines"].push_back(agreement(r));
   return out;
 }
 
-void print(const verify::Result& result) {
-  std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
-  for (const auto& r : result.identities)
-    std::printf("  %-30s %ld of %ld%s\n      %s\n", r.id.c_str(), r.held, r.cases, r.ok() ? "" : "   DOES NOT HOLD",
-                r.says.c_str());
-  std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
-  for (const auto& r : result.roundings)
-    std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
-                r.ok() ? "" : "   ABOVE");
-  std::printf("\nORACLES: agreement with a method that does not share the formula\n");
-  for (const auto& r : result.agreements)
+void print(const std::vector<verify::Agreement>& rows) {
+  for (const auto& r : rows)
     std::printf("  %-30s %8.1e <= %-8.1e %6ld cases%s\n      %s\n", r.id.c_str(), r.worst, r.bound, r.cases,
                 r.ok() ? "" : "   ABOVE", r.oracle.c_str());
 }
 
+void print(const verify::Result& result) {
+  if (!result.identities.empty()) std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
+  for (const auto& r : result.identities)
+    std::printf("  %-30s %ld of %ld%s\n      %s\n", r.id.c_str(), r.held, r.cases, r.ok() ? "" : "   DOES NOT HOLD",
+                r.says.c_str());
+  if (!result.roundings.empty()) std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
+  for (const auto& r : result.roundings)
+    std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
+                r.ok() ? "" : "   ABOVE");
+  if (!result.agreements.empty()) std::printf("\nORACLES: agreement with a method that does not share the formula\n");
+  print(result.agreements);
+  if (!result.engines.empty()) std::printf("%sENGINES: each fast path against a plain one or another author\n", result.agreements.empty() ? "" : "\n");
+  print(result.engines);
+}
+
 int verify_command(const Options& options) {
-  const std::vector<std::string> ids = formula_ids(texts());
+  std::vector<std::string> ids = formula_ids(texts());
+  for (const std::string& id : verify::engine_ids()) ids.push_back(id);
   if (!options.id.empty() && std::find(ids.begin(), ids.end(), options.id) == ids.end()) {
-    std::fprintf(stderr, "rigor verify: there is no formula '%s'%s; 'rigor explain' lists them\n", options.id.c_str(),
-                 did_you_mean(options.id, ids).c_str());
+    std::fprintf(stderr, "rigor verify: there is no formula or engine '%s'%s; 'rigor verify' without --id shows all\n",
+                 options.id.c_str(), did_you_mean(options.id, ids).c_str());
     return 2;
   }
   const auto start = std::chrono::steady_clock::now();
@@ -83,8 +96,8 @@ int verify_command(const Options& options) {
     return 128 + interrupted();
   }
   if (!options.json)
-    std::printf("\n%s: %zu formulas, %.1f s, seed %llu\n", result.ok() ? "all held" : "NOT all held",
-                result.agreements.size(), elapsed(), static_cast<unsigned long long>(options.seed));
+    std::printf("\n%s: %zu formulas, %zu engines, %.1f s, seed %llu\n", result.ok() ? "all held" : "NOT all held",
+                result.agreements.size(), result.engines.size(), elapsed(), static_cast<unsigned long long>(options.seed));
   return result.ok() ? 0 : 1;
 }
 
@@ -92,8 +105,8 @@ int verify_command(const Options& options) {
 
 void add_verify(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("verify", "property run over the built-in formulas; a soak with --time");
-  command->add_option("--id", options->id, "only this formula");
+  CLI::App* command = app.add_subcommand("verify", "property run over the built-in formulas and engines; a soak with --time");
+  command->add_option("--id", options->id, "only this formula, or engine.exact-flight, engine.batch, engine.located");
   command->add_option("--cases", options->cases, "random inputs for each formula and round")
       ->check(CLI::Range(1L, 100000000L))
       ->capture_default_str();

@@ -35,16 +35,21 @@ struct Result {
   std::vector<Identity> identities;
   std::vector<Rounding> roundings;
   std::vector<Agreement> agreements;
+  std::vector<Agreement> engines;  ///< the fast paths, each against a plain one or another author
   bool ok() const;
 };
 
-/// Runs what is known of the formulas whose id is `only`, or of all when it is empty. Same seed, same numbers.
-/// Stops early, with fewer cases, when the program is interrupted.
+/// Runs what is known of the formula or engine whose id is `only`, or of all when it is empty. Same seed, same
+/// numbers. Stops early, with fewer cases, when the program is interrupted.
 Result run(const std::string& only, long cases, std::uint64_t seed);
 
-/// The three parts of run().
+/// What is no formula but has a row in `engines`: "engine.batch" and so on.
+std::vector<std::string> engine_ids();
+
+/// The four parts of run().
 std::vector<Identity> identities(const std::string& only, long cases, std::uint64_t seed);
 std::vector<Rounding> roundings(const std::string& only, long cases, std::uint64_t seed);
 std::vector<Agreement> agreements(const std::string& only, long cases, std::uint64_t seed);
+std::vector<Agreement> engines(const std::string& only, long cases, std::uint64_t seed);
 
 }  // namespace rigor::verify

@@ -22,6 +22,11 @@ TEST(Verify, EverythingHoldsAndEveryFormulaHasAnOracle) {
     EXPECT_TRUE(r.ok()) << r.id << " " << r.worst;
     EXPECT_GT(r.worst, 0.05) << r.id << ": a bound nobody comes near proves little";
   }
+  EXPECT_EQ(result.engines.size(), engine_ids().size());
+  for (const Agreement& a : result.engines) {
+    EXPECT_TRUE(a.ok()) << a.id << " " << a.worst << " > " << a.bound;
+    EXPECT_TRUE(a.bound == 0 || a.worst > a.bound / 1000) << a.id << ": compares nothing?";
+  }
   for (const std::string& id : cli::formula_ids(cli::texts())) EXPECT_EQ(with_oracle.count(id), 1u) << id;
 }
 
