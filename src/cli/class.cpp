@@ -1,12 +1,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/class.hpp>
+#include <rigor/cli/progress.hpp>
 #include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
 #include <thread>
@@ -26,25 +26,6 @@ int bad_input(const std::string& text) {
   std::fprintf(stderr, "rigor class: %s\n", text.c_str());
   return 2;
 }
-
-// "[#####.....] 12 of 100, 1:20 left", on a terminal only.
-class Progress {
- public:
-  explicit Progress(bool shown) : shown_(shown) {}
-  void operator()(int done, int all) const {
-    if (!shown_) return;
-    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const int left = int(spent / done * (all - done));
-    std::string bar(30, '.');
-    bar.replace(0, std::size_t(30 * done / all), std::size_t(30 * done / all), '#');
-    std::fprintf(stderr, "\r[%s] %d of %d, %d:%02d left ", bar.c_str(), done, all, left / 60, left % 60);
-    if (done == all) std::fputc('\n', stderr);
-  }
-
- private:
-  bool shown_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 int class_command(const Options& options) {
   const std::filesystem::path out = options.out;

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <rigor/base/promise.hpp>
 #include <rigor/grader/check.hpp>
 #include <rigor/grader/misconceptions.hpp>
+#include <tuple>
 
 namespace rigor::grader {
 
@@ -59,7 +62,9 @@ bool admitted(const Check& check, const Scenario& s) {
                      [&](const std::string& id) { return model_ratio(check, s, habits_with(id)) >= 20; });
 }
 
-Scenario draw_case(const Check& check, std::uint64_t seed, int number) {
+namespace {
+
+Scenario drawn(const Check& check, std::uint64_t seed, int number) {
   std::seed_seq mixed{std::uint32_t(seed), std::uint32_t(seed >> 32), std::uint32_t(number),
                       fnv1a(check.id)};
   Random random(mixed);
@@ -69,6 +74,27 @@ Scenario draw_case(const Check& check, std::uint64_t seed, int number) {
   }
   promise(false, ("a check finds admissible inputs: " + check.id).c_str());
   return {};
+}
+
+constexpr std::size_t most_kept = 50000;  // some 30 MB
+
+}  // namespace
+
+// A class has the same cases for everybody, and drawing one costs as much as judging it.
+Scenario draw_case(const Check& check, std::uint64_t seed, int number) {
+  using Key = std::tuple<std::string, std::uint64_t, int>;
+  static std::map<Key, Scenario> kept;
+  static std::mutex mutex;
+  Key key{check.id, seed, number};
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto at = kept.find(key); at != kept.end()) return at->second;
+  }
+  const Scenario s = drawn(check, seed, number);
+  const std::lock_guard lock(mutex);
+  if (kept.size() >= most_kept) kept.clear();
+  kept.emplace(std::move(key), s);
+  return s;
 }
 
 }  // namespace rigor::grader

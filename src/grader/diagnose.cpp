@@ -75,7 +75,7 @@ std::vector<std::string> explanations(StudentFunction f, const Group& group, con
   };
   std::vector<std::string> own;
   for (const Misconception& m : misconceptions())
-    if (m.function == f) own.push_back(m.id);
+    if (m.function == f && m.same_as.empty()) own.push_back(m.id);
   for (const std::string& id : own) attempt(id);
   if (!found.empty()) return found;
   for (std::size_t i = 0; i < own.size(); ++i)

@@ -7,8 +7,8 @@
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/grader/shrink.hpp>
+#include <rigor/grader/workers.hpp>
 #include <set>
-#include <tuple>
 
 namespace rigor::grader {
 namespace {
@@ -260,9 +260,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   report.notes.insert(report.notes.end(), built->notes.begin(), built->notes.end());
   report.isolation = built->isolation;
 
-  // one process for each set of constants: they are fixed before the student's static constructors run
-  using Key = std::tuple<double, double, double, double>;
-  std::map<Key, Worker> workers;
+  Workers workers(built->executable, rubric.limits);
   Constants own;
   if (built->own_constants && !built->executable.empty()) {
     Worker worker(built->executable, own, rubric.limits);
@@ -277,12 +275,10 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
     for (FunctionStatus& f : functions)
       if (f.kind == FunctionStatus::Kind::compiled) f = {FunctionStatus::Kind::not_compiled, "the submission could not be linked"};
   const Student student = [&](const Call& call) -> Answer {
-    const Constants& c = call.constants;
-    auto it = workers.try_emplace({c.restitution, c.static_friction, c.dynamic_friction, c.delta_t}, built->executable, c, rubric.limits).first;
-    Answer answer = it->second.call(call.request, call.seconds);
-    if (report.output.size() < 4096) report.output += it->second.take_output();
+    Answer answer = workers.call(call);
+    if (report.output.size() < 4096) report.output += workers.take_output();
     if (report.isolation.size() == built->isolation.size())
-      for (const std::string& line : it->second.isolation()) report.isolation.push_back(line);
+      for (const std::string& line : workers.isolation()) report.isolation.push_back(line);
     return answer;
   };
   judge(student, functions, rubric, selection, report);

@@ -13,6 +13,7 @@ struct Misconception {
   std::string formula;       ///< id for `rigor explain`
   std::string text;          ///< one sentence for the student
   void (*set)(Habits&);
+  std::string same_as{};     ///< the one it cannot be told from, being the same function of every input; that one is named
 };
 
 /// Wrong: must fail a check, and is named to the student.

@@ -64,9 +64,10 @@ Outcome<bool> read_accepted(const toml::node& node, const std::string& where, st
   for (const toml::node& item : *node.as_array()) {
     const auto id = item.value<std::string>();
     if (!id) return Fault{Kind::wrong_type, where, "must be a list of misconception ids in quotes"};
-    if (find_misconception(*id) == nullptr)
+    const Misconception* found = find_misconception(*id);
+    if (found == nullptr)
       return Fault{Kind::unknown_key, where, "there is no misconception '" + *id + "'" + did_you_mean(*id, ids)};
-    accepted.insert(*id);
+    accepted.insert(found->same_as.empty() ? *id : found->same_as);
   }
   return true;
 }
