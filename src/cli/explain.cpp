@@ -6,6 +6,8 @@
 #include <regex>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/cli/wrap.hpp>
+#include <rigor/verify/verify.hpp>
 #include <sstream>
 
 namespace rigor::cli {
@@ -109,24 +111,52 @@ void append(std::vector<std::string>& to, std::vector<std::string> more) {
   to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-void print_block(const char* title, const std::string& body) {
-  if (body.find_first_not_of(" \n") == std::string::npos) return;
-  std::printf("\n%s\n", title);
-  for (const std::string& line : lines_of(body))
-    std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
+constexpr std::size_t width = 80, margin = 2;
+
+using Layout = std::string (*)(const std::string&, std::size_t, std::size_t);
+
+void print_block(const char* title, const std::string& body, Layout layout) {
+  const std::size_t first = body.find_first_not_of(" \n"), last = body.find_last_not_of(" \n");
+  if (first == std::string::npos) return;
+  const std::size_t line = body.rfind('\n', first) + 1;  // npos + 1 is 0
+  std::printf("\n%s\n%s", title, layout(body.substr(line, last + 1 - line), width, margin).c_str());
+}
+
+// Measured now, on inputs of a fixed seed: what `rigor verify --id ID` prints.
+void print_figures(const std::string& id) {
+  const long cases = 2000;
+  const verify::Result measured = verify::run(id, cases, 1);
+  char line[200];
+  std::string text;
+  for (const auto& r : measured.identities) {
+    std::snprintf(line, sizeof line, "- identity holds with == for %ld of %ld rational inputs: ", r.held, r.cases);
+    text += line + r.says + "\n";
+  }
+  for (const auto& r : measured.roundings) {
+    std::snprintf(line, sizeof line, "- worst rounding %.3f of %s, %ld inputs\n", r.worst, r.bound.c_str(), r.cases);
+    text += line;
+  }
+  for (const auto& r : measured.agreements) {
+    std::snprintf(line, sizeof line, "- differs by %.1e at most (allowed %.1e), %ld inputs, from an oracle: ", r.worst,
+                  r.bound, r.cases);
+    text += line + r.oracle + "\n";
+  }
+  print_block("FIGURES (measured now; more: rigor verify --id ID)", text, filled);
 }
 
 void print(const Explanation& e) {
-  std::printf("%s   (%s)\n\n", e.id.c_str(), e.header.c_str());
-  for (const std::string& line : lines_of(e.docstring))
-    std::printf("%s%s\n", line.empty() ? "" : "  ", line.c_str());
-  print_block("DERIVATION", e.derivation);
-  for (const std::string& erratum : e.errata) print_block("ERRATUM", erratum);
-  for (const std::string& theorem : e.theorems) print_block("THEOREM (Coq, proofs/coq)", theorem);
+  std::printf("%s   (%s)\n\n%s", e.id.c_str(), e.header.c_str(), filled(e.docstring, width, margin).c_str());
+  print_block("DERIVATION", e.derivation, filled);
+  for (const std::string& erratum : e.errata) print_block("ERRATUM", erratum, filled);
+  for (const std::string& theorem : e.theorems) print_block("THEOREM (Coq, proofs/coq)", theorem, folded);
   for (const std::string& bridge : e.bridges)
-    print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge);
-  if (!e.tests.empty()) std::printf("\nEXACT TESTS (rationals, ==)\n");
-  for (const std::string& test : e.tests) std::printf("  %s\n", test.c_str());
+    print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge, folded);
+  for (const std::string& bound : e.roundings)
+    print_block("ROUNDING BOUND (proved for any rounding to nearest)", bound, folded);
+  std::string tests;
+  for (const std::string& test : e.tests) tests += "- " + test + "\n";
+  print_block("TESTS (those in tests/exact: rationals, ==)", tests, filled);
+  print_figures(e.id);
 }
 
 // The first sentence of a docstring: what the list shows.
@@ -162,10 +192,11 @@ std::optional<Explanation> explain(const std::vector<Text>& texts, const std::st
     } else if (starts(text.path, "proofs/coq/")) {
       append(e.theorems, statements(text.content, id));
       append(e.bridges, statements(text.content, "bridge " + id));
+      append(e.roundings, statements(text.content, "rounding " + id));
     } else if (starts(text.path, "proofs/")) {
       if (const std::string found = section(text.content, "`" + id + "`"); !found.empty())
         e.derivation = found;
-    } else if (starts(text.path, "tests/exact/")) {
+    } else if (starts(text.path, "tests/exact/") || starts(text.path, "tests/property/")) {
       append(e.tests, tests_of(text, id));
     }
   }
@@ -187,7 +218,7 @@ void add_explain(CLI::App& app, int& exit_status) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("explain", "the derivation, theorem, tests and errata of one formula");
+      app.add_subcommand("explain", "the derivation, theorem, bridge, tests, figures and errata of one formula");
   command->add_option("ID", options->id, "formula id, for example impulse.normal; without it, the list");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor explain impulse.normal");
@@ -223,6 +254,7 @@ void add_explain(CLI::App& app, int& exit_status) {
                                        {"errata", found->errata},
                                        {"theorems", found->theorems},
                                        {"bridges", found->bridges},
+                                       {"roundings", found->roundings},
                                        {"tests", found->tests}}
                             .dump(2)
                             .c_str());

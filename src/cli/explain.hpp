@@ -19,6 +19,7 @@ struct Explanation {
   std::vector<std::string> errata;    ///< sections of reference/errata.md that the docstring cites
   std::vector<std::string> theorems;  ///< Coq statements tagged with the id
   std::vector<std::string> bridges;   ///< statements that tie the C++ to the theorem
+  std::vector<std::string> roundings; ///< statements that bound its rounding
   std::vector<std::string> tests;     ///< "tests/exact/impulse_test.cpp: ImpulseNormal.SeparatesAtETimes..."
 };
 

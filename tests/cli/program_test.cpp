@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/cli/wrap.hpp>
+#include <sstream>
 #include <string>
 
 namespace rigor {
@@ -127,8 +130,32 @@ TEST_F(Program, PrintsJsonThatParses) {
 TEST_F(Program, ExplainsAFormulaWithEverythingThatIsKnownOfIt) {
   const Ran ran = rigor_says("explain impulse.normal");
   EXPECT_EQ(ran.status, 0);
-  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "EXACT TESTS"}) EXPECT_TRUE(contains(ran.text, part)) << part;
+  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "ROUNDING BOUND", "within 3", "tests/exact/impulse_test.cpp", "worst rounding"})
+    EXPECT_TRUE(contains(ran.text, part)) << part;
   EXPECT_FALSE(contains(ran.text, "\x1b")) << "colour escapes in a pipe";
+}
+
+TEST_F(Program, ExplainsInEightyColumns) {
+  for (const std::string& id : cli::formula_ids(cli::texts())) {
+    const Ran ran = rigor_says("explain " + id);
+    EXPECT_EQ(ran.status, 0) << id;
+    EXPECT_FALSE(contains(ran.text, "**")) << id << ": marks of bold";
+    std::istringstream lines(ran.text);  // counted without bytes that continue a character, and dots set above another
+    for (std::string line; std::getline(lines, line);) {
+      const auto columns = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80 && c != '\xCC' && c != '\xCD'; });
+      const bool one_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;  // a path: nothing to break at
+      EXPECT_TRUE(one_word || columns <= 80) << id << ": " << line;
+    }
+  }
+}
+
+TEST(Explain, FillsParagraphsAndKeepsFormulas) {
+  EXPECT_EQ(cli::filled("one two\nthree four\n\nfive\n", 12, 2), "  one two\n  three four\n\n  five\n");
+  EXPECT_EQ(cli::filled("1. **one** two\n   three\n2. four\n", 13, 0), "1. one two\n   three\n2. four\n");
+  EXPECT_EQ(cli::filled("shapes    one two three\n          four\n", 18, 0), "shapes    one two\n          three\n          four\n");
+  EXPECT_EQ(cli::filled("so\n    j = −(1 + e)  v\nhere\n", 40, 1), " so\n     j = −(1 + e)  v\n here\n");
+  EXPECT_EQ(cli::filled("ω̇ ωω ω\n", 6, 0), "ω̇ ωω ω\n");
+  EXPECT_EQ(cli::folded("  let a := b in\nx", 10, 0), "  let a :=\n      b in\nx\n");
 }
 
 TEST(Explain, FindsADerivationForEveryFormula) {

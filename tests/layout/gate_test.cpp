@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <sstream>
 #include <tests/layout/formulas.hpp>
 
 // Every formula has one id, a derivation and an exact test. This reads text; what the derivation and the test
@@ -147,6 +148,35 @@ TEST(Gate, SeesEachKindOfGap) {
   EXPECT_TRUE(formulas_in("f.hpp", "template <Field T>\nstruct State {\n").empty());
   EXPECT_EQ(formulas_in("f.hpp", "/// A law.\ninline double law(double x) {\n").at(0).function, "law");
   EXPECT_TRUE(formulas_in("f.hpp", "namespace detail {\ninline double law(double x) {\n").empty());
+}
+
+// Outside src/formulas, templates on a scalar have no docstring with ids; why not stands in without_id.txt.
+TEST(Gate, TemplatesOnAScalarElsewhereHaveAWrittenReasonForNoId) {
+  std::map<std::string, std::set<std::string>> excused;
+  for (const std::string& line : lines_of(read(source / "tests/layout/without_id.txt"))) {
+    static const std::regex entry(R"(^(src/\S+) \| ([\w ]+) \| \S.*)");
+    std::smatch match;
+    if (line.empty() || line[0] == '#') continue;
+    ASSERT_TRUE(std::regex_match(line, match, entry)) << line;
+    std::istringstream names(match[2]);
+    for (std::string name; names >> name;) EXPECT_TRUE(excused[match[1]].insert(name).second) << line;
+  }
+  std::size_t seen = 0;
+  for (const std::string& file : files_below("src", {".hpp"})) {
+    if (starts(file, "src/formulas/")) continue;
+    std::set<std::string> here;
+    for (const Formula& f : formulas_in(file, read(source / file)))
+      if (f.scalar == "Field" || f.scalar == "Real") here.insert(f.function);
+    seen += here.size();
+    for (const std::string& function : here)
+      EXPECT_TRUE(excused[file].count(function)) << file << ": " << function
+                                                 << " carries no id and no reason in tests/layout/without_id.txt";
+    for (const std::string& function : excused[file])
+      EXPECT_TRUE(here.count(function)) << file << ": " << function << " is excused and gone";
+    excused.erase(file);
+  }
+  for (const auto& [file, functions] : excused) ADD_FAILURE() << file << " is excused and gone";
+  EXPECT_GE(seen, 15u);  // they were found at all
 }
 
 // Names in code font in proofs and errata: `topic.name` is a formula, and "erratum NAME" in a header a

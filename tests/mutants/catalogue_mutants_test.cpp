@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <rigor/contact/plane_response.hpp>
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/momentum.hpp>
@@ -326,7 +327,7 @@ TEST(CatalogueMutants, AreEachKilledByTheirClosedForm) {
   rows.push_back({"quaternion: none", judge_quaternion(true)});
   rows.push_back({"quaternion read as (x, y, z, w)", judge_quaternion(false)});
 
-  print_matrix("Mistakes that conservation hides", oracles, rows);
+  expect_in_docs(matrix("Mistakes that conservation hides", oracles, rows));
   std::map<std::string, Verdict> by_name(rows.begin(), rows.end());
   for (const auto& [name, verdict] : rows) {
     const bool right = name.find(": none") != std::string::npos || name.find("(hidden)") != std::string::npos;

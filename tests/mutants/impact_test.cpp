@@ -138,7 +138,7 @@ TEST(ImpactMutants, AreEachKilledAndNoSingleOracleKillsThemAll) {
     EXPECT_EQ(killed(verdict), mutant.impact != right) << mutant.name;
     rows.push_back({mutant.name, verdict});
   }
-  print_matrix("300 impacts of two cuboids over the rationals: how many each oracle flags", oracles, rows);
+  expect_in_docs(matrix("300 impacts of two cuboids over the rationals: how many each oracle flags", oracles, rows));
   for (const std::string& oracle : oracles) {
     bool kills_all = true;
     for (const auto& [name, verdict] : rows)

@@ -1,9 +1,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <functional>
+#include <cstdlib>
 #include <map>
+#include <rigor/base/file.hpp>
 #include <string>
 #include <vector>
 
@@ -12,21 +12,47 @@ namespace rigor {
 /// What the oracles said of one variant: oracle -> cases it flagged. An oracle that does not apply is absent.
 using Verdict = std::map<std::string, int>;
 
-/// One row a variant, one column an oracle; "." is 0 flagged, "-" does not apply.
-inline void print_matrix(const char* title, const std::vector<std::string>& oracles,
-                         const std::vector<std::pair<std::string, Verdict>>& rows) {
-  std::printf("\n%s\n%-58s", title, "");
-  for (const std::string& oracle : oracles) std::printf("  %12s", oracle.c_str());
+/// A section of docs/oracles.md: one row a variant, one column an oracle; "." is 0 flagged, "-" does not apply.
+inline std::string matrix(const std::string& title, const std::vector<std::string>& oracles,
+                          const std::vector<std::pair<std::string, Verdict>>& rows) {
+  std::string text = "## " + title + "\n\n| variant |", rule = "|---|";
+  for (const std::string& oracle : oracles) text += " " + oracle + " |", rule += "---:|";
+  text += " seen by this one alone |\n" + rule + "---|\n";
   for (const auto& [name, verdict] : rows) {
-    std::printf("\n%-58s", name.c_str());
+    text += "| " + name + " |";
+    std::string alone;
+    int flagging = 0;
     for (const std::string& oracle : oracles) {
       const auto found = verdict.find(oracle);
-      std::printf("  %12s", found == verdict.end() ? "-"
-                            : found->second == 0   ? "."
-                                                   : std::to_string(found->second).c_str());
+      const bool flags = found != verdict.end() && found->second > 0;
+      text += found == verdict.end() ? " - |" : flags ? " " + std::to_string(found->second) + " |" : " . |";
+      if (flags) alone = oracle, ++flagging;
     }
+    text += " " + (flagging == 1 ? alone : "") + " |\n";
   }
-  std::printf("\n\n");
+  return text;
+}
+
+/// The section with this heading, up to the next one; empty if there is none.
+inline std::string section_of(const std::string& page, const std::string& section) {
+  const std::string heading = section.substr(0, section.find('\n') + 1);
+  const std::size_t begin = page.find(heading);
+  if (begin == std::string::npos) return "";
+  const std::size_t next = page.find("\n## ", begin);
+  return page.substr(begin, next == std::string::npos ? next : next - begin);
+}
+
+/// The page shows this section; with RIGOR_WRITE_DOCS set, it is written there first.
+inline void expect_in_docs(const std::string& section) {
+  const std::string path = std::string(RIGOR_SOURCE_DIR) + "/docs/oracles.md";
+  std::string page = *read_file(path);
+  if (std::getenv("RIGOR_WRITE_DOCS")) {
+    const std::string old = section_of(page, section);
+    if (old.empty()) page += "\n" + section;
+    else page.replace(page.find(old), old.size(), section);
+    EXPECT_TRUE(write_file(path, page));
+  }
+  EXPECT_EQ(section_of(page, section), section) << "docs/oracles.md is out of date: RIGOR_WRITE_DOCS=1 test_mutants writes it";
 }
 
 inline bool killed(const Verdict& verdict) {
