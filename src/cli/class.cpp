@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -61,7 +59,7 @@ int class_command(const Options& options) {
   run.jobs = options.jobs;
   run.fresh = options.fresh;
   run.tool = "rigor " RIGOR_VERSION;
-  const Progress progress(isatty(STDERR_FILENO) != 0 && !options.quiet);
+  Progress progress(!options.quiet);
   run.progress = [&](int done, int all) { progress(done, all); };
   const auto rows = grader::grade_class(*entries, rubric, run);
   const auto changed = grader::changes(before, rows);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/cli/progress.hpp>
 #include <rigor/cli/run.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/scene/trajectory.hpp>
@@ -100,8 +101,10 @@ int run_command(const Options& options) {
   const bool keep = !options.out.empty();
   std::vector<view::Recording> recordings;
   if (keep) recordings.emplace_back(scene, scene.method);
+  Progress progress(!options.quiet, " %");
   const auto start = std::chrono::steady_clock::now();
   const auto done = simulate_recorded(scene, keep ? &recordings[0] : nullptr, [&](double t, const std::vector<State<double>>& states) {
+    if (scene.until > 0) progress(long(100 * t / scene.until), 100);
     if (keep) csv.add(t, states);
   }, !options.no_skip);
   if (!done) return bad_input(done.fault());

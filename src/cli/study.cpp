@@ -5,6 +5,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
+#include <rigor/cli/progress.hpp>
 #include <rigor/cli/study.hpp>
 #include <rigor/studies/convergence.hpp>
 #include <rigor/studies/drift.hpp>
@@ -40,13 +41,15 @@ int long_flights(const Options& options, const std::vector<std::string>& names) 
   if (options.problems.size() > 1) return bad_input("--problem: one at a time for drift and stability");
   const studies::Problem& problem = *studies::find_problem(options.problems.empty() ? "case-A" : options.problems[0]);
   const std::string command = "rigor study " + options.kind + " --problem " + problem.name + " (rigor " RIGOR_VERSION ")";
+  Progress progress(!options.quiet);
+  const auto done = [&](std::size_t methods_done) { progress(long(methods_done), long(names.size())); };
   if (options.kind == "drift") {
     std::vector<studies::Drift> rows;
-    for (const std::string& name : names) rows.push_back(studies::drift_of(problem, *find_method(name), options.step, options.steps));
+    for (const std::string& name : names) rows.push_back(studies::drift_of(problem, *find_method(name), options.step, options.steps)), done(rows.size());
     return written(options, studies::drift_csv(problem, rows), studies::drift_html(problem, rows, command), studies::drift_text(problem, rows));
   }
   std::vector<studies::Stability> rows;
-  for (const std::string& name : names) rows.push_back({find_method(name), studies::stable_angle(problem, *find_method(name))});
+  for (const std::string& name : names) rows.push_back({find_method(name), studies::stable_angle(problem, *find_method(name))}), done(rows.size());
   return written(options, studies::stability_csv(problem, rows), studies::stability_html(problem, rows, command), studies::stability_text(problem, rows));
 }
 
@@ -65,9 +68,14 @@ int study_command(const Options& options) {
     if (find_method(name) == nullptr) return bad_input("--method: there is no method '" + name + "'" + did_you_mean(name, method_names));
   if (options.kind == "drift" || options.kind == "stability") return long_flights(options, chosen(options.methods, method_names));
   const int repeats = options.kind == "work-precision" ? 5 : 1;
-  for (const std::string& problem : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
-    for (const std::string& method : chosen(options.methods, method_names))
-      if (interrupted() == 0) ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), options.coarsest, options.rungs, repeats));
+  const auto problems = chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}), integrators = chosen(options.methods, method_names);
+  Progress progress(!options.quiet);
+  for (const std::string& problem : problems)
+    for (const std::string& method : integrators)
+      if (interrupted() == 0) {
+        ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), options.coarsest, options.rungs, repeats));
+        progress(long(ladders.size()), long(problems.size() * integrators.size()));
+      }
 
   const std::string command = "rigor study " + options.kind + " --coarsest " + std::to_string(options.coarsest) + " --rungs " + std::to_string(options.rungs) + " (rigor " RIGOR_VERSION ")";
   if (!options.out.empty()) {

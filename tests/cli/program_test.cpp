@@ -51,7 +51,7 @@ class Program : public ::testing::Test {
 TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
   const Ran top = rigor_says("--help");
   EXPECT_EQ(top.status, 0);
-  for (const char* command : {"demo", "grade", "class", "audit", "run", "study", "verify", "explain", "check-table"}) {
+  for (const char* command : {"demo", "grade", "class", "audit", "run", "study", "verify", "explain", "check-table", "view", "shell"}) {
     EXPECT_TRUE(contains(top.text, command));
     const Ran help = rigor_says(std::string(command) + " --help");
     EXPECT_EQ(help.status, 0) << command;

@@ -1,5 +1,5 @@
 // What lies in a replay page: inert data that reads back, bounded size, names that stay names. How it looks and moves is
-// for browser.mjs.
+// for replay.mjs.
 #include <gtest/gtest.h>
 
 #include <cmath>

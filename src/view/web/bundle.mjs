@@ -8,7 +8,7 @@ import {fileURLToPath} from 'node:url';
 
 const out = process.argv[2], here = dirname(fileURLToPath(import.meta.url));
 const {buildSync} = createRequire(join(out, 'package.json'))('esbuild');
-for (const page of ['replay']) {
+for (const page of ['replay', 'live']) {
   buildSync({
     entryPoints: [join(here, page + '.js')], outdir: out, bundle: true, minify: true, format: 'iife', target: 'es2022',
     charset: 'ascii', legalComments: 'none', nodePaths: [join(out, 'node_modules')],

@@ -71,6 +71,10 @@ export class Crowd {
     this.group.add(this.trail);
     stage.scene.add(this.group);
   }
+  leave() {
+    this.stage.scene.remove(this.group);
+    this.group.traverse(part => { part.geometry?.dispose(), part.material?.map?.dispose(), part.material?.dispose(); });
+  }
   /// p: 3, q: 4 (w x y z) numbers for each body
   place(p, q, show_axes) {
     this.axes.forEach(a => a.clear());

@@ -1,54 +1,18 @@
-// The pages in a browser, as their user meets them: node browser.mjs BUILD CHROMIUM. Screenshots stay in BUILD/screenshots
-// for a person to look at. Expected states come from trajectory.csv, not from the page.
+// The replay page in a browser, as its user meets it. Expected states come from trajectory.csv, not from the page.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
-import {tmpdir} from 'node:os';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {test} from 'node:test';
 import {pathToFileURL} from 'node:url';
+import {no_serious_finding, open, pictures, program, work} from './pages.mjs';
 
-const [build, chromium_path] = process.argv.slice(2);
-const packages = createRequire(join(build, 'web/package.json'));
-const {chromium} = packages('playwright-core'), axe = readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
-const pictures = join(build, 'screenshots'), work = mkdtempSync(join(tmpdir(), 'rigor-pages-'));
-mkdirSync(pictures, {recursive: true});
-const rigor = (...words) => execFileSync(join(build, 'rigor'), words, {encoding: 'utf8'});
-
-let browser;
-before(async () => {
-  browser = await chromium.launch({executablePath: chromium_path, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-});
-after(async () => {
-  await browser?.close();
-  rmSync(work, {recursive: true, force: true});
-});
-
-/// Opens a page and keeps an account of what must not happen: errors, and requests but for the page itself.
-async function open(url, options = {}) {
-  const context = await browser.newContext({viewport: {width: 1280, height: 800}, bypassCSP: false, ...options});
-  const page = await context.newPage();
-  page.wrong = [], page.asked = [];
-  page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver|swiftshader/i.test(message.text())) page.wrong.push(message.text()); });
-  page.on('pageerror', error => page.wrong.push(error.message));
-  page.on('request', request => { if (!/^(data|blob):/.test(request.url())) page.asked.push(request.url()); });
-  await page.goto(url);
-  return page;
-}
 function replay(name, ...words) {
-  rigor('run', ...words, '--quiet', '--out', join(work, name));
+  execFileSync(program, ['run', ...words, '--quiet', '--out', join(work, name)]);
   return pathToFileURL(join(work, name, 'replay.html')).href;
 }
 async function scrub(page, frame) {
   await page.locator('#scrub').evaluate((bar, k) => { bar.value = k; bar.dispatchEvent(new Event('input')); }, frame);
-}
-async function no_serious_finding(page) {
-  const session = await page.context().newCDPSession(page);  // the page's own policy lets no script in; a debugger may
-  await session.send('Runtime.evaluate', {expression: axe});
-  const found = await page.evaluate(() => axe.run(document, {resultTypes: ['violations']}));
-  const serious = found.violations.filter(v => ['serious', 'critical'].includes(v.impact));
-  assert.deepEqual(serious.map(v => `${v.id}: ${v.nodes.map(n => n.target).join(' ')}`), []);
 }
 
 test('replay scrubs to the states of trajectory.csv', async () => {
