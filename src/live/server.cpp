@@ -27,7 +27,7 @@ std::shared_ptr<const std::string> shared(std::string text) { return std::make_s
 
 }  // namespace
 
-class Server::Hub : public Room {
+class Server::Hub final : public Room {
  public:
   explicit Hub(LiveScene scene) : scene_(std::move(scene)) {}
   ~Hub() { viewers_.clear(); }  // before what their sockets live on
