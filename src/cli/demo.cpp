@@ -10,6 +10,9 @@
 #include <rigor/report/plot.hpp>
 #include <rigor/scene/trajectory.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <rigor/studies/flight.hpp>
+#include <rigor/studies/pages.hpp>
+#include <rigor/studies/plan.hpp>
 #include <set>
 
 namespace rigor::cli {
@@ -107,22 +110,24 @@ Outcome<std::string> run_scene(const fs::path& out) {
 
 Outcome<std::string> study(const fs::path& out) {
   std::printf("3. Convergence of the plain stepper, against references that share nothing with it\n");
-  std::vector<studies::Ladder> ladders;
-  for (const char* problem : {"short-A", "forced"})
-    for (const char* method : {"sheet", "euler-exponential", "rk4"})
-      if (interrupted() == 0) ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), 25, 8));
-  if (const auto written = write_file(out / "study" / "study.html", studies::convergence_html(ladders, "convergence", "rigor demo")); !written) return written.fault();
-  if (const auto written = write_file(out / "study" / "study.csv", studies::convergence_csv(ladders)); !written) return written.fault();
+  studies::StudyRequest request{"convergence", {"short-A", "forced"}, {"sheet", "euler-exponential", "rk4"}};
+  request.coarsest = 25;
+  std::vector<studies::Row> rows;
+  const auto cells = studies::plan(request);
+  for (const studies::Cell& cell : *cells)
+    if (interrupted() == 0) rows.push_back(studies::fly(cell));
+  if (const auto written = write_file(out / "study" / "study.html", studies::page_html(studies::study_page("convergence", rows, "rigor demo"))); !written) return written.fault();
+  if (const auto written = write_file(out / "study" / "study.csv", studies::rows_csv(rows)); !written) return written.fault();
   report::Plot plot{"Attitude error against step, free flight", "step h, s", "attitude error at T = 1 s, rad", true, true, {}};
   std::printf("   %-10s %-20s %-14s %-16s %s\n", "problem", "method", "fitted order", "error, coarsest", "error, finest (rad)");
-  for (const studies::Ladder& l : ladders) {
-    std::printf("   %-10s %-20s %-14.2f %-16.2e %.2e\n", l.problem->name.c_str(), std::string(l.method->name).c_str(), l.order, l.runs.front().error.attitude,
-                l.runs.back().error.attitude);
-    if (l.problem->name != "short-A") continue;
-    report::Series series{std::string(l.method->name), {}, {}};
-    for (const studies::Run& r : l.runs) series.x.push_back(r.h), series.y.push_back(r.error.attitude);
-    plot.series.push_back(series);
-  }
+  for (const studies::Group& problem : studies::by_problem(rows))
+    for (const studies::Group& method : studies::by_method(problem.rows)) {
+      report::Series series{method.name, {}, {}};
+      const double until = studies::find_problem(problem.name)->until;
+      for (const studies::Row* row : method.rows) series.x.push_back(until / double(row->cell.steps)), series.y.push_back(row->at("attitude"));
+      std::printf("   %-10s %-20s %-14.2f %-16.2e %.2e\n", problem.name.c_str(), method.name.c_str(), studies::fit_order(series.x, series.y).order, series.y.front(), series.y.back());
+      if (problem.name == "short-A") plot.series.push_back(series);
+    }
   return "<h2>Convergence</h2><p>Free flight against a Taylor series in 60 digits, forced motion against SUNDIALS' CVODE. <a href=\"study/study.html\">The whole study</a></p>" +
          report::figure(plot);
 }

@@ -1,25 +1,31 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
-#include <rigor/base/suggest.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/study.hpp>
-#include <rigor/studies/convergence.hpp>
+#include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
+#include <rigor/studies/flight.hpp>
+#include <rigor/studies/pages.hpp>
+#include <rigor/studies/peer.hpp>
+#include <rigor/studies/plan.hpp>
+#include <rigor/studies/run_cells.hpp>
+#include <thread>
 
 namespace rigor::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
-  std::string kind, out;
-  std::vector<std::string> problems, methods;
-  int rungs = 8;
-  long coarsest = 50, steps = 1000000;
-  double step = 0.01;
-  bool json = false, quiet = false;
+  studies::StudyRequest request;
+  std::string out, submission, command;
+  std::vector<std::string> sums;
+  int jobs = 0;
+  bool all_peers = false, resume = false, json = false, quiet = false;
 };
 
 int bad_input(const std::string& text) {
@@ -27,85 +33,126 @@ int bad_input(const std::string& text) {
   return 2;
 }
 
-int written(const Options& options, const std::string& csv, const std::string& html, const std::string& text) {
-  if (!options.out.empty())
-    for (const auto& [name, content] : {std::pair{"study.csv", csv}, std::pair{"study.html", html}})
-      if (const auto done = write_file(std::filesystem::path(options.out) / name, content); !done) return bad_input(done.fault().text());
-  if (!options.quiet) std::fputs(text.c_str(), stdout);
-  return interrupted() != 0 ? 128 + interrupted() : 0;
+std::string study_json(const std::vector<studies::Row>& rows, const std::string& command) {
+  nlohmann::ordered_json json{{"schema", "rigor.study/2"}, {"command", command}, {"machine", studies::machine()}, {"rows", nlohmann::ordered_json::array()}};
+  for (const studies::Row& row : rows) json["rows"].push_back(nlohmann::ordered_json::parse(studies::row_json(row)));
+  return json.dump(1) + "\n";
 }
 
-// One problem's free flight, far beyond its end.
-int long_flights(const Options& options, const std::vector<std::string>& names) {
-  if (options.json) return bad_input("--json: drift and stability write study.csv and study.html");
-  if (options.problems.size() > 1) return bad_input("--problem: one at a time for drift and stability");
-  const studies::Problem& problem = *studies::find_problem(options.problems.empty() ? "case-A" : options.problems[0]);
-  const std::string command = "rigor study " + options.kind + " --problem " + problem.name + " (rigor " RIGOR_VERSION ")";
-  Progress progress(!options.quiet);
-  const auto done = [&](std::size_t methods_done) { progress(long(methods_done), long(names.size())); };
-  if (options.kind == "drift") {
-    std::vector<studies::Drift> rows;
-    for (const std::string& name : names) rows.push_back(studies::drift_of(problem, *find_method(name), options.step, options.steps)), done(rows.size());
-    return written(options, studies::drift_csv(problem, rows), studies::drift_html(problem, rows, command), studies::drift_text(problem, rows));
+Outcome<bool> write_all(const fs::path& dir, const std::vector<studies::Row>& rows, const studies::StudyPage& page) {
+  std::vector<std::pair<std::string, std::string>> files{{"study.csv", studies::rows_csv(rows)},
+                                                         {"study.json", study_json(rows, page.command)},
+                                                         {"study.html", studies::page_html(page)},
+                                                         {"README.md", studies::page_markdown(page)}};
+  int k = 0;
+  for (const std::string& figure : studies::page_figures(page)) files.emplace_back("figure-" + std::to_string(++k) + ".svg", figure);
+  for (const auto& [name, text] : files)
+    if (const auto written = write_file(dir / name, text); !written) return written.fault();
+  return true;
+}
+
+// The peers whose programs are there; the others are told.
+std::vector<std::string> installed_peers() {
+  std::vector<std::string> there;
+  for (const studies::Peer& peer : studies::peers()) {
+    if (const auto variants = studies::peer_variants(peer.name)) there.push_back(peer.name);
+    else std::fprintf(stderr, "rigor study: left out: %s\n", variants.fault().text().c_str());
   }
-  std::vector<studies::Stability> rows;
-  for (const std::string& name : names) rows.push_back({find_method(name), studies::stable_angle(problem, *find_method(name))}), done(rows.size());
-  return written(options, studies::stability_csv(problem, rows), studies::stability_html(problem, rows, command), studies::stability_text(problem, rows));
+  return there;
 }
 
 int study_command(const Options& options) {
-  const std::vector<std::string> kinds{"convergence", "work-precision", "drift", "stability"};
-  if (std::find(kinds.begin(), kinds.end(), options.kind) == kinds.end())
-    return bad_input("there is no study '" + options.kind + "'" + did_you_mean(options.kind, kinds) + "; there are convergence, work-precision, drift, stability");
-  const std::vector<std::string> problem_names = studies::problem_names();
-  std::vector<std::string> method_names;
-  for (const Method& m : methods()) method_names.push_back(std::string(m.name));
-  const auto chosen = [](const std::vector<std::string>& asked, const std::vector<std::string>& standard) { return asked.empty() ? standard : asked; };
-  std::vector<studies::Ladder> ladders;
-  for (const std::string& name : chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}))
-    if (std::find(problem_names.begin(), problem_names.end(), name) == problem_names.end()) return bad_input("--problem: there is no problem '" + name + "'" + did_you_mean(name, problem_names));
-  for (const std::string& name : options.methods)
-    if (find_method(name) == nullptr) return bad_input("--method: there is no method '" + name + "'" + did_you_mean(name, method_names));
-  if (options.kind == "drift" || options.kind == "stability") return long_flights(options, chosen(options.methods, method_names));
-  const int repeats = options.kind == "work-precision" ? 5 : 1;
-  const auto problems = chosen(options.problems, {"short-A", "case-A", "thrown", "forced"}), integrators = chosen(options.methods, method_names);
-  Progress progress(!options.quiet);
-  for (const std::string& problem : problems)
-    for (const std::string& method : integrators)
-      if (interrupted() == 0) {
-        ladders.push_back(studies::converge(*studies::find_problem(problem), *find_method(method), options.coarsest, options.rungs, repeats));
-        progress(long(ladders.size()), long(problems.size() * integrators.size()));
-      }
-
-  const std::string command = "rigor study " + options.kind + " --coarsest " + std::to_string(options.coarsest) + " --rungs " + std::to_string(options.rungs) + " (rigor " RIGOR_VERSION ")";
-  if (!options.out.empty()) {
-    const std::filesystem::path dir = options.out;
-    for (const auto& [name, text] : {std::pair{"study.csv", studies::convergence_csv(ladders)}, std::pair{"study.json", studies::convergence_json(ladders, command)},
-                                     std::pair{"study.html", studies::convergence_html(ladders, options.kind, command)}})
-      if (const auto written = write_file(dir / name, text); !written) return bad_input(written.fault().text());
+  studies::StudyRequest request = options.request;
+  if (options.resume && options.out.empty()) return bad_input("--resume: needs --out, where the finished cells lie");
+  if (!options.sums.empty()) {
+    const auto has = [&](const char* word) { return std::find(options.sums.begin(), options.sums.end(), word) != options.sums.end(); };
+    request.plain_sums = has("plain");
+    request.carried_sums = has("carried");
   }
-  if (options.json) std::fputs(studies::convergence_json(ladders, command).c_str(), stdout);
-  else if (!options.quiet) std::fputs(studies::convergence_text(ladders).c_str(), stdout);
+  if (options.all_peers)
+    for (const std::string& peer : installed_peers()) request.peers.push_back(peer);
+  std::optional<studies::Student> student;
+  if (!options.submission.empty()) {
+    const auto made = studies::Student::make(options.submission);
+    if (!made) return bad_input("--submission: " + made.fault().text());
+    student = *made;
+    request.submission = student->name();
+  }
+  const auto cells = studies::plan(request);
+  if (!cells) return bad_input(cells.fault().text());
+  if (!options.out.empty()) {  // before anything is measured: can it be written?
+    std::string list;
+    for (const studies::Cell& cell : *cells) list += cell.file() + "  " + cell.text() + "\n";
+    if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return bad_input("--out: " + written.fault().text());
+  }
+
+  const auto of_student = [&](const studies::Cell& cell) { return student && cell.method == student->name(); };
+  const auto measure = [&](const studies::Cell& cell) {
+    studies::Student* their = of_student(cell) ? &*student : nullptr;
+    if (cell.study == "drift") return studies::drift(cell);
+    if (cell.study == "stability") return studies::stability(cell);
+    if (cell.study == "contact") return studies::contact(cell, their);
+    return studies::fly(cell, their);
+  };
+  Progress progress(!options.quiet);
+  const studies::RunOptions run{options.jobs > 0 ? options.jobs : std::max(1, int(std::thread::hardware_concurrency())), options.out, options.resume,
+                                [&](long done, long of) { progress(done, of); }};
+  const auto rows = studies::run_cells(*cells, measure, of_student, run);
+  if (!rows) return bad_input(rows.fault().text());
+  if (interrupted() != 0) std::fprintf(stderr, "rigor study: interrupted with %zu of %zu cells finished%s\n", rows->size(), cells->size(), options.out.empty() ? "" : "; go on with --resume");
+  const studies::StudyPage page = studies::study_page(request.kind, *rows, options.command);
+  if (!options.out.empty())
+    if (const auto written = write_all(options.out, *rows, page); !written) return bad_input("--out: " + written.fault().text());
+  if (options.json) std::fputs(study_json(*rows, page.command).c_str(), stdout);
+  else if (!options.quiet) std::fputs(studies::page_text(page).c_str(), stdout);
   return interrupted() != 0 ? 128 + interrupted() : 0;
+}
+
+// The options given, as they would be typed again, but for where the results go.
+std::string typed(const CLI::App& command) {
+  std::string text = "rigor study";
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--out" || name == "--jobs" || name == "--resume" || name == "--quiet" || name == "--json") continue;
+    if (!option->get_positional()) text += " " + name;
+    if (option->get_items_expected_max() == 0) continue;
+    std::string values;
+    for (const std::string& value : option->results()) values += (values.empty() ? "" : ",") + value;
+    text += " " + values;
+  }
+  return text;
 }
 
 }  // namespace
 
 void add_study(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift and stability, for every method");
-  command->add_option("KIND", options->kind, "convergence, work-precision, drift or stability")->required();
-  command->add_option("--problem", options->problems, "case-A, case-B, case-C, short-A, fb-05, thrown, forced")->delimiter(',');
-  command->add_option("--method", options->methods, "integrators; all by default")->delimiter(',');
-  command->add_option("--coarsest", options->coarsest, "steps of the first run")->check(CLI::Range(1L, 1000000L))->capture_default_str();
-  command->add_option("--rungs", options->rungs, "halvings of the step")->check(CLI::Range(1, 24))->capture_default_str();
-  command->add_option("--steps", options->steps, "of drift")->check(CLI::Range(1L, 1000000000L))->capture_default_str();
-  command->add_option("--step", options->step, "of drift, s")->check(CLI::Range(1e-9, 1e3))->capture_default_str();
-  command->add_option("--out", options->out, "directory for study.csv, study.json, study.html");
+  studies::StudyRequest& r = options->request;
+  CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift, stability, contact: our methods, other engines, a submission");
+  command->add_option("KIND", r.kind, "convergence, work-precision, drift, stability or contact")->required();
+  command->add_option("--problem", r.problems, "by name (docs/studies.md), or a scene file")->delimiter(',');
+  command->add_option("--method", r.methods, "integrators, exact, cvode-adams, ...; contact: located too; all by default")->delimiter(',');
+  command->add_option("--until", r.until, "end of the problems, s");
+  command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(CLI::Range(1L, 1000000L));
+  command->add_option("--rungs", r.rungs, "halvings of the step")->check(CLI::Range(1, 24));
+  command->add_option("--h", r.h, "these steps instead of a ladder, s")->delimiter(',');
+  command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers")->delimiter(',');
+  command->add_option("--steps", r.steps, "of drift")->check(CLI::Range(1L, 1000000000L))->capture_default_str();
+  command->add_option("--step", r.step, "of drift, s")->capture_default_str();
+  command->add_option("--sums", options->sums, "of drift: plain, carried; both by default")->delimiter(',')->check(CLI::IsMember({"plain", "carried"}));
+  command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive");
+  command->add_flag("--peers", options->all_peers, "other engines too: those whose programs are built");
+  command->add_option("--peer", r.peers, "one of them by name: bullet, ode, mujoco, simbody, dart")->delimiter(',');
+  command->add_option("--jobs", options->jobs, "cells at a time, where they are not timed; all cores by default")->check(CLI::Range(1, 256));
+  command->add_option("--out", options->out, "directory for study.csv, study.json, study.html, README.md with its figures, and a file for each cell");
+  command->add_flag("--resume", options->resume, "go on: take the cells whose files are there");
   command->add_flag("--json", options->json, "print study.json");
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->footer("Example:  rigor study convergence --problem short-A --method sheet,rk4 --out studies/first");
-  command->callback([options, &exit_status] { exit_status = study_command(*options); });
+  command->callback([options, command, &exit_status] {
+    options->command = typed(*command);
+    exit_status = study_command(*options);
+  });
 }
 
 }  // namespace rigor::cli

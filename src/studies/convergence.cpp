@@ -1,22 +1,11 @@
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <rigor/studies/timing.hpp>
 
 namespace rigor::studies {
-namespace {
-
-double cpu_now() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-}  // namespace
-
 State<double> integrate(const Problem& problem, const Method& method, long steps) {
   const double h = problem.until / double(steps);
   Motion m = motion_of(problem.body, problem.start);
@@ -31,9 +20,9 @@ Ladder converge(const Problem& problem, const Method& method, long coarsest, int
     std::vector<double> times;
     State<double> end;
     for (int k = 0; k < repeats; ++k) {
-      const double start = cpu_now();
+      const double start = cpu_seconds();
       end = integrate(problem, method, steps);
-      times.push_back(cpu_now() - start);
+      times.push_back(cpu_seconds() - start);
     }
     std::nth_element(times.begin(), times.begin() + long(times.size()) / 2, times.end());
     ladder.runs.push_back({steps, problem.until / double(steps), errors_of(problem, end), times[times.size() / 2]});
@@ -42,20 +31,32 @@ Ladder converge(const Problem& problem, const Method& method, long coarsest, int
   return ladder;
 }
 
-double fitted_order(const std::vector<Run>& runs, int& used) {
+Fit fit_order(const std::vector<double>& h, const std::vector<double>& error) {
   double floor = std::numeric_limits<double>::infinity();
-  for (const Run& r : runs)
-    if (r.error.attitude > 0) floor = std::fmin(floor, r.error.attitude);
+  for (const double e : error)
+    if (e > 0) floor = std::fmin(floor, e);
   // above rounding (300 times what the ladder reached, where it reached rounding) and below the pre-asymptotic range
   const double low = floor < 1e-12 ? 300 * floor : 0, high = 1e-1;
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Run& r : runs) {
-    if (!(r.error.attitude > low && r.error.attitude < high)) continue;
-    const double a = std::log2(r.h), b = std::log2(r.error.attitude);
-    n += 1, x += a, y += b, xx += a * a, xy += a * b;
+  Fit fit{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    if (!(error[i] > low && error[i] < high)) {
+      ++(error[i] <= low ? fit.at_floor : fit.too_coarse);
+      continue;
+    }
+    const double a = std::log2(h[i]), b = std::log2(error[i]);
+    ++fit.used, x += a, y += b, xx += a * a, xy += a * b;
   }
-  used = int(n);
-  return n < 3 ? std::numeric_limits<double>::quiet_NaN() : (n * xy - x * y) / (n * xx - x * x);
+  const double n = fit.used;
+  if (fit.used >= 3) fit.order = (n * xy - x * y) / (n * xx - x * x);
+  return fit;
+}
+double fitted_order(const std::vector<Run>& runs, int& used) {
+  std::vector<double> h, error;
+  for (const Run& r : runs) h.push_back(r.h), error.push_back(r.error.attitude);
+  const Fit fit = fit_order(h, error);
+  used = fit.used;
+  return fit.order;
 }
 
 Gci grid_convergence(double f1, double f2, double f3, double r) {

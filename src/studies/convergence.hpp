@@ -21,7 +21,7 @@ struct Ladder {
   const Problem* problem;
   std::vector<Run> runs;
   double order = 0;        ///< fitted to the attitude error over the window; NaN when too few points lie in it
-  int used = 0;            ///< points in the window: error between 300 times the smallest seen and 1e-3 of a radian or less
+  int used = 0;            ///< points in the window: see Fit
 };
 
 /// Steps of one method: `steps` equal steps to the problem's end. The load is taken at the middle of each step.
@@ -30,7 +30,12 @@ State<double> integrate(const Problem& problem, const Method& method, long steps
 /// Halves the step `rungs` times from `coarsest` steps. Stops early when interrupted.
 Ladder converge(const Problem& problem, const Method& method, long coarsest, int rungs, int repeats = 1);
 
-/// Least-squares slope of log error against log h over the points in the asymptotic window.
+/// Least-squares slope of log error against log h over the points in the asymptotic window; NaN with fewer than three.
+struct Fit {
+  double order;
+  int used, too_coarse, at_floor;  ///< points: in the window, above 0.1, below 300 times the smallest where that is rounding
+};
+Fit fit_order(const std::vector<double>& h, const std::vector<double>& error);
 double fitted_order(const std::vector<Run>& runs, int& used);
 
 /// Pairwise order, extrapolated value and grid convergence index of three systematically refined results (ASME V&V 20).
@@ -40,11 +45,5 @@ struct Gci {
   double asymptotic;         ///< near 1 when the three are in the asymptotic range
 };
 Gci grid_convergence(double finest, double medium, double coarsest, double ratio);
-
-std::string convergence_csv(const std::vector<Ladder>& ladders);
-std::string convergence_json(const std::vector<Ladder>& ladders, const std::string& command);
-/// `kind` "convergence" plots error against h, "work-precision" CPU time against error.
-std::string convergence_html(const std::vector<Ladder>& ladders, const std::string& kind, const std::string& command);
-std::string convergence_text(const std::vector<Ladder>& ladders);
 
 }  // namespace rigor::studies

@@ -1,10 +1,15 @@
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <mutex>
 #include <reference/sundials.hpp>
 #include <reference/taylor.hpp>
 #include <rigor/base/promise.hpp>
+#include <rigor/base/suggest.hpp>
 #include <rigor/formulas/world_inertia.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/scene.hpp>
+#include <rigor/studies/cell.hpp>
 #include <rigor/studies/problem.hpp>
 
 namespace rigor::studies {
@@ -15,37 +20,53 @@ using V = Vec3<double>;
 Cuboid<double> cuboid(double m, const V& size) { return *Cuboid<double>::make(m, size); }
 
 // The end of a torque-free flight by the Taylor series in 60 digits, rounded once.
-Problem free_flight(const std::string& name, const std::string& says, const Cuboid<double>& body, const V& w_B, double until) {
-  Problem p{name, says, "Taylor series of order 40 in 60 digits, steps of 0.02 s; own error below 1e-40, then rounded to double", body, {}, nullptr, until, {}};
-  p.start.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
+Problem free_flight(const std::string& name, const std::string& says, const Cuboid<double>& body, const V& w_B, double until,
+                    const Mat3<double>& R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3))) {
+  Problem p{name, says, "Taylor series of order 40 in 60 digits, steps of at most 0.02 s; own error below 1e-40, then rounded to double", body, {}, nullptr, until, {}};
+  p.start.R_WB = R_WB;
   p.start.w_WB = apply<double>(p.start.R_WB, w_B);
   const V w_used = apply_transposed<double>(p.start.R_WB, p.start.w_WB);
-  const auto end = reference::taylor_free_body<reference::Precise>({body.inertia(), w_used, p.start.R_WB}, reference::Precise(until));
+  const auto end = reference::taylor_free_body<reference::Precise>({body.inertia(), w_used, p.start.R_WB}, reference::Precise(until), 40, std::fmin(0.02, 0.1 / norm<double>(w_B)));
   p.end.R_WB = end.R_WB.cast<double>();
   p.end.w_WB = (end.R_WB * end.w_B).cast<double>();
+  p.falls = zero3<double>();
   return p;
 }
 
-Problem thrown() {
-  Problem p{"thrown", "a 10 kg box, 0.1 x 0.4 x 0.9 m, thrown with v = (1, 2, 3) m/s and w = (0.1, 5, 0.1) rad/s under gravity, T = 2 s",
-            "parabola for the centre; Taylor series in 60 digits for the rotation", cuboid(10, {0.1, 0.4, 0.9}), {}, nullptr, 2, {}};
-  p = [&] {
-    Problem q = free_flight(p.name, p.says, p.body, V(0.1, 5, 0.1), p.until);
-    q.reference = p.reference;
-    return q;
-  }();
-  const V g(0, -9.8, 0);
-  p.start.v_WB = V(1, 2, 3);
-  p.load = [weight = V(10 * g)](double, const State<double>&) { return Load{weight, zero3<double>()}; };
-  p.end.v_WB = p.start.v_WB + p.until * g;
-  p.end.p_WB = p.until * p.start.v_WB + p.until * p.until / 2 * g;
+// The same with a centre that falls.
+void throw_it(Problem& p, const V& v, const V& a) {
+  p.start.v_WB = v;
+  p.falls = a;
+  p.load = [weight = V(p.body.mass() * a)](double, const State<double>&) { return Load{weight, zero3<double>()}; };
+  p.end.v_WB = v + p.until * a;
+  p.end.p_WB = p.start.p_WB + p.until * v + p.until * p.until / 2 * a;
+  p.reference = "parabola for the centre; " + p.reference;
+}
+
+Problem thrown(double until) {
+  Problem p = free_flight("thrown", "case FB-02 with the public box: 0.1 x 0.4 x 0.9 m, 10 kg, thrown with v = (1, 2, 3) m/s and w = (0.1, 5, 0.1) rad/s under gravity",
+                          cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), until);
+  throw_it(p, V(1, 2, 3), V(0, -9.8, 0));
+  return p;
+}
+
+// case F-01: x = F t²/2m and the angle τ t²/2I about the axis, from rest.
+Problem pushed(double until) {
+  Problem p{"f-01", "case F-01: a cuboid 1 x 2 x 3 m, 2 kg, from rest under F = (1, -2, 0.5) N and a torque of 0.75 N m about its third axis",
+            "closed form: x = F t^2/2m, angle tau t^2/2I; own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
+  const V f(1, -2, 0.5), tau(0, 0, 0.75);
+  p.load = [=](double, const State<double>&) { return Load{f, tau}; };
+  p.end.v_WB = until / p.body.mass() * f;
+  p.end.p_WB = until / 2 * p.end.v_WB;
+  p.end.w_WB = V(0, 0, tau[2] * p.body.inverse_inertia()[2] * until);
+  p.end.R_WB = exp_so3<double>(V(until / 2 * p.end.w_WB));
   return p;
 }
 
 // Gravity and a torque that changes in time: every term is active. Reference: CVODE on (p, v, q, L).
-Problem forced() {
-  Problem p{"forced", "a cuboid 1 x 2 x 3 m, 1 kg, under F = (sin t, -1, cos 2t) N and torque (cos t, sin 2t, 1/2) N m, T = 2 s",
-            "CVODE Adams at tolerance 1e-14, own error about 1e-12", cuboid(1, {1, 2, 3}), {}, nullptr, 2, {}};
+Problem forced(double until) {
+  Problem p{"forced", "a cuboid 1 x 2 x 3 m, 1 kg, under F = (sin t, -1, cos 2t) N and torque (cos t, sin 2t, 1/2) N m",
+            "CVODE Adams at tolerance 1e-14, own error about 1e-12", cuboid(1, {1, 2, 3}), {}, nullptr, until, {}};
   p.start.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
   p.start.w_WB = V(0.3, 1, -0.4);
   p.start.v_WB = V(1, 0, -1);
@@ -79,30 +100,56 @@ double kinetic(const Problem& p, const State<double>& s) {
   return (p.body.mass() * dot<double>(s.v_WB, s.v_WB) + dot<double>(s.w_WB, motion_of(p.body, s).L_W)) / 2;
 }
 
-}  // namespace
-
-namespace {
 
 struct Recipe {
   const char* name;
-  Problem (*make)(const std::string& name);
+  double until;  // s, where nobody asks for another
+  Problem (*make)(const std::string& name, double until);
 };
 const Cuboid<double> plate = cuboid(1, {1, 2, 3});
+constexpr const char* flight_of_plate = "free flight of a cuboid 1 x 2 x 3 m, 1 kg, spin ";
+Problem tumbling(const std::string& name, double until) {
+  return free_flight(name, std::string(flight_of_plate) + "(0.3, 2, 0.2) rad/s in body axes: tumbling near the unstable axis", plate, V(0.3, 2, 0.2), until);
+}
 constexpr Recipe recipes[] = {
-    {"case-A", [](const std::string& name) {
-       return free_flight(name, "free flight of a cuboid 1 x 2 x 3 m, 1 kg, spin (0.3, 2, 0.2) rad/s in body axes: tumbling near the unstable axis, T = 10 s", plate, V(0.3, 2, 0.2), 10);
+    {"case-A", 10, tumbling},
+    {"case-B", 10, [](const std::string& name, double until) {
+       return free_flight(name, std::string(flight_of_plate) + "(5, 0.01, 0.01) rad/s: about the stable axis", plate, V(5, 0.01, 0.01), until);
      }},
-    {"case-B", [](const std::string& name) { return free_flight(name, "the same cuboid, spin (5, 0.01, 0.01) rad/s: about the stable axis, T = 10 s", plate, V(5, 0.01, 0.01), 10); }},
-    {"case-C", [](const std::string& name) {
-       return free_flight(name, "the same cuboid, spin (1e-6, 2, 1e-6) rad/s: next to the separatrix, errors grow 1.5e4 times by T = 10 s", plate, V(1e-6, 2, 1e-6), 10);
+    {"case-C", 10, [](const std::string& name, double until) {
+       return free_flight(name, std::string(flight_of_plate) + "(1e-6, 2, 1e-6) rad/s: next to the separatrix, errors grow 1.5e4 times in 10 s", plate, V(1e-6, 2, 1e-6), until);
      }},
-    {"short-A", [](const std::string& name) { return free_flight(name, "case A up to T = 1 s, where first-order methods are asymptotic", plate, V(0.3, 2, 0.2), 1); }},
-    {"fb-05", [](const std::string& name) {
-       return free_flight(name, "the public box, 0.1 x 0.4 x 0.9 m, 10 kg, spin (0.1, 5, 0.1) rad/s, T = 10 s", cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), 10);
+    {"short-A", 1, tumbling},
+    {"fb-01", 10, [](const std::string& name, double until) {
+       return free_flight(name, "case FB-01: the same cuboid spinning about its first axis alone, 3 rad/s", plate, V(3, 0, 0), until);
      }},
-    {"thrown", [](const std::string&) { return thrown(); }},
-    {"forced", [](const std::string&) { return forced(); }},
+    {"fb-03", 10, [](const std::string& name, double until) {
+       return free_flight(name, "case FB-03: a square prism 1 x 1 x 3 m, 2 kg, spin (1, 0.5, 3) rad/s: steady precession", cuboid(2, {1, 1, 3}), V(1, 0.5, 3), until);
+     }},
+    {"fb-05", 10, [](const std::string& name, double until) {
+       return free_flight(name, "case FB-05, the public box: 0.1 x 0.4 x 0.9 m, 10 kg, spin (0.1, 5, 0.1) rad/s", cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), until);
+     }},
+    {"thrown", 2, [](const std::string&, double until) { return thrown(until); }},
+    {"f-01", 2, [](const std::string&, double until) { return pushed(until); }},
+    {"forced", 2, [](const std::string&, double until) { return forced(until); }},
 };
+
+Outcome<Problem> from_scene(const std::string& path, double until) {
+  const auto opened = open_scene(path);
+  if (!opened) return opened.fault();
+  const Scene& scene = *opened;
+  const auto refuse = [&](const std::string& what) { return Fault{Fault::Kind::unsupported, path, what}; };
+  if (scene.bodies.size() != 1) return refuse("has " + std::to_string(scene.bodies.size()) + " cuboids, a flight is studied with one");
+  if (!scene.planes.empty() || !scene.forces.empty() || !scene.actions.empty()) return refuse("has planes, forces or actions: a flight is studied without");
+  const SceneBody& body = scene.bodies[0];
+  const V w_B = apply_transposed<double>(body.start.R_WB, body.start.w_WB);
+  const double T = until > 0 ? until : scene.until;
+  if (!(T > 0)) return Fault{Fault::Kind::not_positive, path, "ends at 0 s: nothing to study"};
+  Problem p = free_flight(path, "the cuboid of " + std::filesystem::path(path).filename().string(), body.shape, w_B, T, body.start.R_WB);
+  p.start.p_WB = p.end.p_WB = body.start.p_WB;
+  throw_it(p, body.start.v_WB, scene.gravity);
+  return p;
+}
 
 }  // namespace
 
@@ -112,21 +159,47 @@ std::vector<std::string> problem_names() {
   return names;
 }
 
-const Problem* find_problem(const std::string& name) {
-  static std::map<std::string, Problem> made;
+Outcome<const Problem*> open_problem(const std::string& name, double until) {
+  static std::map<std::pair<std::string, double>, Problem> made;  // nodes stay where they are
+  static std::mutex mutex;
+  if (!(until >= 0) || std::isinf(until)) return Fault{Fault::Kind::out_of_range, "until", "is " + digits(until) + ", must be > 0 s"};
+  const Recipe* recipe = nullptr;
   for (const Recipe& r : recipes)
-    if (name == r.name) {
-      auto it = made.find(name);
-      if (it == made.end()) it = made.emplace(name, r.make(name)).first;
-      return &it->second;
-    }
-  return nullptr;
+    if (name == r.name) recipe = &r;
+  if (recipe == nullptr && !name.ends_with(".json")) return Fault{Fault::Kind::unknown_key, "problem", "there is no problem '" + name + "'" + did_you_mean(name, problem_names())};
+  const std::lock_guard lock(mutex);
+  const auto key = std::pair{name, until};
+  if (const auto it = made.find(key); it != made.end()) return &it->second;
+  if (recipe == nullptr) {
+    auto problem = from_scene(name, until);
+    if (!problem) return problem.fault();
+    return &made.emplace(key, *problem).first->second;
+  }
+  Problem problem = recipe->make(name, until > 0 ? until : recipe->until);
+  problem.says += ", T = " + digits(problem.until) + " s";
+  return &made.emplace(key, problem).first->second;
+}
+
+const Problem* find_problem(const std::string& name) {
+  const auto problem = open_problem(name);
+  return problem ? *problem : nullptr;
+}
+
+std::vector<std::string> equations(const Problem& p) {
+  const auto vector = [](const V& v) { return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")"; };
+  return {"m p\" = F" + (p.falls ? " = m " + vector(*p.falls) : std::string("(t)")) + ",  I w' + w x I w = R^T tau" + (p.falls ? " = 0" : "(t)") + ",  R' = R [w]x  (w in body axes)",
+          "m = " + digits(p.body.mass()) + " kg,  I = " + vector(p.body.inertia()) + " kg m^2",
+          "at t = 0:  p = " + vector(p.start.p_WB) + " m,  p' = " + vector(p.start.v_WB) + " m/s,  w = " + vector(apply_transposed<double>(p.start.R_WB, p.start.w_WB)) +
+              " rad/s,  R of the quaternion " + [&] {
+                const Vec4<double> q = quaternion_of<double>(p.start.R_WB);
+                return "(" + digits(q[0]) + ", " + digits(q[1]) + ", " + digits(q[2]) + ", " + digits(q[3]) + ")";
+              }()};
 }
 
 Errors errors_of(const Problem& p, const State<double>& end) {
   const V L0 = motion_of(p.body, p.start).L_W, L = motion_of(p.body, end).L_W, L_want = motion_of(p.body, p.end).L_W;
-  return {angle_between<double>(end.R_WB, p.end.R_WB), norm<double>(V(L - L_want)) / norm<double>(L0),
-          std::fabs(kinetic(p, end) - kinetic(p, p.end)) / kinetic(p, p.start), norm<double>(V(end.p_WB - p.end.p_WB))};
+  const double momentum = std::fmax(norm<double>(L0), norm<double>(L_want)), energy = std::fmax(kinetic(p, p.start), kinetic(p, p.end));
+  return {angle_between<double>(end.R_WB, p.end.R_WB), norm<double>(V(L - L_want)) / momentum, std::fabs(kinetic(p, end) - kinetic(p, p.end)) / energy, norm<double>(V(end.p_WB - p.end.p_WB))};
 }
 
 }  // namespace rigor::studies

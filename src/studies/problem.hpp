@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <optional>
+#include <rigor/base/outcome.hpp>
 #include <rigor/integrators/method.hpp>
 #include <string>
 #include <vector>
@@ -16,20 +18,30 @@ struct Problem {
   std::function<Load(double t, const State<double>&)> load;  ///< zero when empty
   double until;            ///< s
   State<double> end;       ///< the reference at `until`
+  /// No torque and this constant acceleration, m/s²: what exact flight and other engines can be asked for. Else nothing.
+  std::optional<Vec3<double>> falls = std::nullopt;
 
   Load load_at(double t, const State<double>& s) const { return load ? load(t, s) : Load{}; }
 };
 
-/// The catalogue: free flight A, B, C, the public box FB-05, a thrown body, a forced body.
+/// The catalogue: free flights, the public box, a thrown body, forced bodies.
 std::vector<std::string> problem_names();
-/// nullptr when there is none of that name. The reference is computed at the first call (up to a second).
+/// nullptr when there is none of that name. The reference is computed at the first call (up to a second). From any thread.
 const Problem* find_problem(const std::string& name);
+
+/// A problem of the catalogue, or the flight of the one cuboid of a scene file, up to `until` s where that is not 0.
+/// Faults: unknown_key, with a suggestion; out_of_range (until); what the scene file brings; unsupported (a scene that
+/// has more than one cuboid, planes, forces or actions: studies of contact take those).
+Outcome<const Problem*> open_problem(const std::string& name, double until = 0);
+
+/// The equations of a problem, for its page: one a line.
+std::vector<std::string> equations(const Problem& problem);
 
 /// Distance of a computed end from the reference.
 struct Errors {
   double attitude;  ///< rad
-  double momentum;  ///< angular, relative to its size at the start (the loss of L where there is no torque)
-  double energy;    ///< relative to the kinetic energy at the start
+  double momentum;  ///< angular, relative to its size at the start or the end, whichever is larger
+  double energy;    ///< relative to the kinetic energy at the start or the end
   double position;  ///< m
 };
 Errors errors_of(const Problem& problem, const State<double>& end);

@@ -74,6 +74,13 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"study convergnce", "did you mean 'convergence'?"},
       {"study convergence --problem case-D", "did you mean 'case-A'?"},
       {"study convergence --method rk5", "did you mean 'rk4'?"},
+      {"study convergence --until nan", "--until is nan, must be > 0"},
+      {"study convergence --problem case-A --h 0.3", "does not divide T = 10 s of case-A into whole steps; 10/33 does"},
+      {"study work-precision --tolerance 1e-16", "below rounding"},
+      {"study convergence --peer jolt", "is none of the peers"},
+      {"study convergence --submission /nowhere", "--submission: /nowhere"},
+      {"study convergence --resume", "needs --out"},
+      {"study drift --step -1", "--step is -1, must be > 0 s"},
       {"grade", "a submission directory is missing"},
       {"grade /nowhere", "/nowhere"},
       {"grade /nowhere --check moi.bodi", "did you mean 'moi.body'?"},
@@ -119,6 +126,22 @@ TEST_F(Program, SaysWhenItCannotWrite) {
   const Ran ran = rigor_says("run tumble --until 0.1 --out " + blocked);
   EXPECT_EQ(ran.status, 2);
   EXPECT_TRUE(contains(ran.text, "cannot be written")) << ran.text;
+}
+
+TEST_F(Program, StudiesWriteNothingWhereTheyCannotAndEverythingWhereTheyCan) {
+  const std::string blocked = file("blocked", "a file where a directory is wanted");
+  const Ran ran = rigor_says("study convergence --problem short-A --method sheet --out " + blocked);
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_TRUE(contains(ran.text, "--out") && contains(ran.text, "cannot be written")) << ran.text;
+  EXPECT_EQ(*read_file(blocked), "a file where a directory is wanted");
+  EXPECT_EQ(rigor_says("study convergence --problem short-A --method sheet --h 0.3 --out " + (dir / "none").string()).status, 2);
+  EXPECT_FALSE(fs::exists(dir / "none"));
+  const std::string asks = "study convergence --problem short-A --method sheet,rk4 --rungs 4 --quiet --out ";
+  EXPECT_EQ(rigor_says(asks + (dir / "study").string()).text, "");
+  for (const char* name : {"study.csv", "study.json", "study.html", "README.md", "figure-1.svg", "cells.txt"}) EXPECT_TRUE(fs::exists(dir / "study" / name)) << name;
+  EXPECT_EQ(std::distance(fs::directory_iterator(dir / "study" / "cells"), fs::directory_iterator()), 8);
+  EXPECT_EQ(rigor_says(asks + (dir / "study").string() + " --resume").status, 0);
+  EXPECT_TRUE(contains(*read_file(dir / "study" / "README.md"), "Made by `rigor study convergence --problem short-A --method sheet,rk4 --rungs 4`"));
 }
 
 TEST_F(Program, PrintsJsonThatParses) {

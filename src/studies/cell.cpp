@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <rigor/studies/cell.hpp>
+
+namespace rigor::studies {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) {  // JSON has no NaN
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+double number_from(const Json& j) {
+  if (j.is_number()) return j.get<double>();
+  const std::string text = j.get<std::string>();
+  if (text == "inf" || text == "-inf") return (text == "inf" ? 1 : -1) * std::numeric_limits<double>::infinity();
+  return std::numeric_limits<double>::quiet_NaN();
+}
+std::string quoted(const std::string& text) {  // for CSV
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string digits(double x) {
+  char text[40];
+  return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
+std::string brief(double x, const char* format) {
+  if (std::isnan(x)) return "-";
+  if (x == 0) return "0";
+  char text[48];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+std::string Cell::text() const {
+  std::string out = "study=" + study + " problem=" + problem + " method=" + method + " steps=" + std::to_string(steps) + " tolerance=" + digits(tolerance) +
+                    " until=" + digits(until) + " x=" + digits(x) + " y=" + digits(y);
+  return out + (compensated ? " compensated" : "");
+}
+std::string Cell::file() const {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (const unsigned char c : text()) hash = (hash ^ c) * 1099511628211u;
+  std::string name = problem.substr(problem.find_last_of('/') + 1) + "-" + method.substr(0, 40) + "-";
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '-';
+  char tail[20];
+  std::snprintf(tail, sizeof tail, "%016llx", static_cast<unsigned long long>(hash));
+  return name + tail + ".json";
+}
+
+double Row::at(const std::string& name) const {
+  for (const auto& [key, value] : values)
+    if (key == name) return value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string row_json(const Row& row) {
+  Json values = Json::object();
+  for (const auto& [name, value] : row.values) values[name] = number(value);
+  return Json{{"schema", "rigor.cell/1"}, {"cell", row.cell.text()}, {"values", values}, {"failed", row.failed}, {"note", row.note}}.dump(1) + "\n";
+}
+std::optional<Row> row_from_json(const std::string& text, const Cell& cell) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  const auto word = [&](const char* key) { return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : ""; };
+  if (word("schema") != "rigor.cell/1" || word("cell") != cell.text() || !json.contains("values")) return std::nullopt;
+  Row row{cell, {}, word("failed"), word("note")};
+  for (const auto& [name, value] : json["values"].items()) {
+    if (!value.is_number() && !value.is_string()) return std::nullopt;
+    row.put(name, number_from(value));
+  }
+  return row;
+}
+
+std::string rows_csv(const std::vector<Row>& rows) {
+  std::vector<std::string> columns;
+  for (const Row& row : rows)
+    for (const auto& [name, value] : row.values)
+      if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+  std::string out = "study,problem,method,steps,tolerance,until,x,y,compensated";
+  for (const std::string& c : columns) out += "," + c;
+  out += ",failed\n";
+  for (const Row& row : rows) {
+    const Cell& c = row.cell;
+    out += c.study + "," + quoted(c.problem) + "," + quoted(c.method) + "," + std::to_string(c.steps) + "," + digits(c.tolerance) + "," + digits(c.until) + "," + digits(c.x) + "," +
+           digits(c.y) + "," + (c.compensated ? "yes" : "no");
+    for (const std::string& column : columns) out += "," + digits(row.at(column));
+    out += "," + quoted(row.failed) + "\n";
+  }
+  return out;
+}
+
+}  // namespace rigor::studies

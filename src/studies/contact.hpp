@@ -1,0 +1,21 @@
+#pragma once
+#include <rigor/studies/cell.hpp>
+#include <rigor/studies/student.hpp>
+
+namespace rigor::studies {
+
+/// A problem of contact whose answer is known in closed form.
+struct ContactProblem {
+  std::string name;
+  std::string says;
+  std::string answer;     ///< the closed form, and what the error measures, with its unit
+  std::string x;          ///< what Cell::x sweeps
+  std::vector<double> sweep;
+};
+const std::vector<ContactProblem>& contact_problems();
+
+/// A contact cell: `steps` in a second of the method's stepper, or method "located", or the student's. Values: error, and of
+/// ours the energy ledger (unexplained, restitution, friction) and the number of impacts.
+Row contact(const Cell& cell, Student* student = nullptr);
+
+}  // namespace rigor::studies

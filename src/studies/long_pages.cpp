@@ -1,0 +1,125 @@
+// The pages of drift, stability and contact.
+#include <algorithm>
+#include <cmath>
+#include <rigor/studies/contact.hpp>
+#include <rigor/studies/convergence.hpp>
+#include <rigor/studies/drift.hpp>
+#include <rigor/studies/pages.hpp>
+
+namespace rigor::studies {
+
+StudyPage drift_page(const std::vector<Row>& rows) {
+  StudyPage page{"Drift", "What a long free flight loses: the problem's body without load, at a constant step.", {}, ""};
+  for (const Group& problem : by_problem(rows)) {
+    Section s = problem_section(problem.rows[0]->cell);
+    s.text.push_back("The centre goes straight on at (0.3, -0.2, 0.1) m/s. The rate is the slope of the energy over forty equal stretches, with its interval of 95 %: a rate whose interval holds 0 is no drift. "
+                     "\"Carried\" sums the ways of the steps with the roundings carried along (Neumaier), \"plain\" as the method does.");
+    const Cell& c = problem.rows[0]->cell;
+    Table t{std::to_string(c.steps) + " steps of " + digits(c.x) + " s",
+            {"method", "sum", "worst |E/E0 - 1|", "jitter", "rate of E, 1/s", "+-", "worst |L - L0|/|L0|", "worst |R'R - 1|", "position, of the way"}, {}, 2};
+    for (const Row* row : problem.rows) {
+      std::vector<std::string> line{row->cell.method, row->cell.compensated ? "carried" : "plain"};
+      for (const char* name : {"energy", "energy_jitter", "energy_rate", "energy_rate_95", "momentum", "orthonormality", "position"}) line.push_back(brief(row->at(name)));
+      t.rows.push_back(line);
+    }
+    s.tables = {t};
+    page.sections.push_back(s);
+  }
+  return page;
+}
+
+StudyPage stability_page(const std::vector<Row>& rows) {
+  StudyPage page{"Stability", "Where a method holds: + stable, o inaccurate, - unstable.", {}, ""};
+  for (const Group& problem : by_problem(rows)) {
+    const Map* map = nullptr;
+    for (const Map& m : maps())
+      if (m.name == problem.name) map = &m;
+    if (map == nullptr) {
+      Section angles = problem_section(problem.rows[0]->cell);
+      Table t{"largest step, as an angle, that 10000 steps survive with their energy within a tenth (0: none from 0.001 on)", {"method", "|w| h, rad"}, {}, 1};
+      for (const Row* row : problem.rows) t.rows.push_back({row->cell.method, brief(row->at("angle"), "%.3g")});
+      angles.tables = {t};
+      page.sections.push_back(angles);
+      continue;
+    }
+    Section s{problem.name + ": " + map->says, {}, {}, {}, {}};
+    s.text = {problem.name == "mass" ? "Unstable: a cube flies off or falls through the floor within 4 s. Inaccurate: an overlap above 1 cm."
+                                     : "10000 steps. Unstable: it leaves the numbers, or its energy leaves a tenth. Inaccurate: stable, but the attitude is off by more than 0.1 rad after one turn."};
+    for (const Group& method : by_method(problem.rows)) {
+      Table t{method.name, {map->x + " \\ " + map->y}, {}, 1};
+      for (const double y : map->ys) t.header.push_back(digits(y));
+      for (const double x : map->xs) {
+        std::vector<std::string> line{brief(x, "%.4g")};
+        for (const double y : map->ys) {
+          std::string mark = "";
+          for (const Row* row : method.rows)
+            if (row->cell.x == x && row->cell.y == y) mark = row->at("verdict") == 0 ? "+" : row->at("verdict") == 1 ? "o" : "-";
+          line.push_back(mark);
+        }
+        t.rows.push_back(line);
+      }
+      s.tables.push_back(t);
+    }
+    page.sections.push_back(s);
+  }
+  return page;
+}
+
+StudyPage contact_page(const std::vector<Row>& rows) {
+  StudyPage page{"Contact", "Impacts, sliding and stopping against closed forms: the assignment's stepper beside located mode, which finds every impact at its time.", {}, ""};
+  for (const Group& problem : by_problem(rows)) {
+    const ContactProblem* known = nullptr;
+    for (const ContactProblem& p : contact_problems())
+      if (p.name == problem.name) known = &p;
+    Section s{problem.name, {known->says + ".", "Answer: " + known->answer + "."}, {}, {}, {}};
+    report::Plot plot{"Worst error against step: " + problem.name, "step, s", "worst error of the sweep", true, true, {}};
+    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "unexplained, J", "impacts", ""}, {}, 1};
+    Table sweep{"error by " + known->x, {known->x}, {}, 1};
+    std::vector<std::vector<double>> columns;
+    for (const Group& method : by_method(problem.rows)) {
+      report::Series series{method.name, {}, {}};
+      std::vector<long> steps;
+      for (const Row* row : method.rows)
+        if (std::find(steps.begin(), steps.end(), row->cell.steps) == steps.end()) steps.push_back(row->cell.steps);
+      for (const long n : steps) {
+        double worst = 0, at = 0, ledger = 0, impacts = 0;
+        std::string failed;
+        for (const Row* row : method.rows) {
+          if (row->cell.steps != n) continue;
+          if (!row->failed.empty()) failed = row->failed;
+          if (!(row->at("error") <= worst)) worst = row->at("error"), at = row->cell.x;
+          ledger = std::fmax(ledger, row->at("unexplained_J"));
+          impacts = std::fmax(impacts, row->at("impacts"));
+        }
+        t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), method.name.rfind("submission", 0) == 0 ? "" : brief(ledger),
+                          brief(impacts, "%.0f"), failed});
+        if (n > 0) series.x.push_back(1 / double(n)), series.y.push_back(worst);
+      }
+      if (series.x.size() > 1) {
+        t.caption += "; " + method.name + " is of order " + brief(fit_order(series.x, series.y).order, "%.2f");
+        plot.series.push_back(series);
+      }
+      if (known->sweep.size() > 1) {
+        sweep.header.push_back(method.name + (steps.back() > 0 ? ", " + std::to_string(steps.back()) + "/s" : ""));
+        columns.emplace_back();
+        for (const double x : known->sweep)
+          for (const Row* row : method.rows)
+            if (row->cell.x == x && row->cell.steps == steps.back()) columns.back().push_back(row->at("error"));
+      }
+    }
+    s.plots = {plot};
+    s.tables = {t};
+    if (!columns.empty()) {
+      for (std::size_t i = 0; i < known->sweep.size(); ++i) {
+        std::vector<std::string> line{digits(known->sweep[i])};
+        for (const auto& column : columns) line.push_back(i < column.size() ? brief(column[i]) : "");
+        sweep.rows.push_back(line);
+      }
+      s.tables.push_back(sweep);
+    }
+    page.sections.push_back(s);
+  }
+  return page;
+}
+
+}  // namespace rigor::studies

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <rigor/studies/cell.hpp>
+
+namespace rigor::studies {
+
+/// What somebody wants studied. Everything left empty has the study's own standard.
+struct StudyRequest {
+  std::string kind;
+  std::vector<std::string> problems{}, methods{};
+  std::vector<std::string> peers{};       ///< by name; "mujoco"
+  std::string submission{};               ///< "submission NAME HASH": a built one's cells
+  std::optional<double> until{};          ///< s
+  std::optional<long> coarsest{};         ///< steps of the first run; each next has twice as many
+  std::optional<int> rungs{};
+  std::vector<double> h{};                ///< s: these steps instead of a ladder
+  std::vector<double> tolerances{};       ///< of adaptive ways and peers
+  long steps = 1000000;                 ///< of drift
+  double step = 0.01;                   ///< of drift, s
+  bool plain_sums = true, carried_sums = true;  ///< of drift
+};
+
+const std::vector<std::string>& study_kinds();
+
+/// The cells of a study. Opens the problems. Faults name the option: unknown_key (kind, problem, method, peer; with a
+/// suggestion), out_of_range (T, steps that do not divide it, a tolerance below rounding), unsupported (a peer that is not
+/// installed, a problem that is not of this study).
+Outcome<std::vector<Cell>> plan(const StudyRequest& request);
+
+}  // namespace rigor::studies

@@ -1,0 +1,140 @@
+#include <boost/version.hpp>
+#include <gsl/gsl_version.h>
+#include <sundials/sundials_config.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <fstream>
+#include <rigor/report/html.hpp>
+#include <rigor/studies/report.hpp>
+#include <thread>
+
+namespace rigor::studies {
+namespace {
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+std::string first_load() {
+  std::ifstream in("/proc/loadavg");
+  std::string load;
+  in >> load;
+  return load;
+}
+// Text columns as wide as their widest cell. Counts code points, not bytes.
+std::size_t width(const std::string& text) {
+  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+std::string padded(const std::string& text, std::size_t to, bool right) {
+  const std::string spaces(to > width(text) ? to - width(text) : 0, ' ');
+  return right ? spaces + text : text + spaces;
+}
+std::string cell_markdown(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> machine() {
+  return {processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, load " + first_load() + " when the page was made",
+          std::string("compiler ") + __VERSION__ + ", -O2 -ffp-contract=off",
+          std::string("rigor ") + RIGOR_VERSION + ", Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION) +
+              ", Boost " BOOST_LIB_VERSION ", GSL " GSL_VERSION ", SUNDIALS " SUNDIALS_VERSION,
+          "no random numbers: there is no seed"};
+}
+
+std::string page_html(const StudyPage& page) {
+  using report::escape;
+  report::Page out;
+  out.title = page.title;
+  out.lead = page.lead;
+  for (const Section& s : page.sections) {
+    out.body += "<h2>" + escape(s.heading) + "</h2>";
+    for (const std::string& text : s.text) out.body += "<p>" + escape(text) + "</p>";
+    if (!s.equations.empty()) {
+      out.body += "<pre>";
+      for (const std::string& line : s.equations) out.body += escape(line) + "\n";
+      out.body += "</pre>";
+    }
+    for (const report::Plot& plot : s.plots) out.body += report::figure(plot, escape(plot.title));
+    for (const Table& t : s.tables) {
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = t.words; i < t.header.size(); ++i) numbers.push_back(i);
+      out.body += report::table(t.header, t.rows, numbers, t.caption);
+    }
+  }
+  out.body += "<h2>Made by</h2><pre>" + escape(page.command) + "\n";
+  for (const std::string& line : machine()) out.body += escape(line) + "\n";
+  out.body += "</pre>";
+  out.footer = page.command;
+  return report::render(out);
+}
+
+std::string page_markdown(const StudyPage& page) {
+  std::string out = "# " + page.title + "\n\n" + page.lead + "\n\nMade by `" + page.command + "`\n";
+  int figure = 0;
+  for (const Section& s : page.sections) {
+    out += "\n## " + s.heading + "\n";
+    for (const std::string& text : s.text) out += "\n" + text + "\n";
+    if (!s.equations.empty()) {
+      out += "\n```\n";
+      for (const std::string& line : s.equations) out += line + "\n";
+      out += "```\n";
+    }
+    for (const report::Plot& plot : s.plots) out += "\n![" + plot.title + "](figure-" + std::to_string(++figure) + ".svg)\n";
+    for (const Table& t : s.tables) {
+      out += "\n" + t.caption + "\n\n|";
+      for (const std::string& h : t.header) out += " " + cell_markdown(h) + " |";
+      out += "\n|";
+      for (std::size_t i = 0; i < t.header.size(); ++i) out += i < t.words ? "---|" : "---:|";
+      out += "\n";
+      for (const auto& row : t.rows) {
+        out += "|";
+        for (const std::string& c : row) out += " " + cell_markdown(c) + " |";
+        out += "\n";
+      }
+    }
+  }
+  out += "\n## Machine\n\n";
+  for (const std::string& line : machine()) out += "- " + line + "\n";
+  return out;
+}
+std::vector<std::string> page_figures(const StudyPage& page) {
+  std::vector<std::string> figures;
+  for (const Section& s : page.sections)
+    for (const report::Plot& plot : s.plots) figures.push_back(report::svg_file(plot));
+  return figures;
+}
+
+std::string page_text(const StudyPage& page) {
+  std::string out;
+  for (const Section& s : page.sections) {
+    out += s.heading + "\n";
+    for (const Table& t : s.tables) {
+      out += "  " + t.caption + "\n";
+      std::vector<std::size_t> widths;
+      for (std::size_t i = 0; i < t.header.size(); ++i) {
+        std::size_t w = width(t.header[i]);
+        for (const auto& row : t.rows) w = std::max(w, i < row.size() ? width(row[i]) : 0);
+        widths.push_back(w);
+      }
+      const auto line = [&](const std::vector<std::string>& cells) {
+        std::string text = "   ";
+        for (std::size_t i = 0; i < cells.size(); ++i) text += " " + padded(cells[i], widths[i], i >= t.words) + " ";
+        while (!text.empty() && text.back() == ' ') text.pop_back();
+        out += text + "\n";
+      };
+      line(t.header);
+      for (const auto& row : t.rows) line(row);
+      out += "\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace rigor::studies

@@ -1,0 +1,260 @@
+// Studies as a whole: cells, plans and pages.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
+#include <rigor/studies/contact.hpp>
+#include <rigor/studies/drift.hpp>
+#include <rigor/studies/flight.hpp>
+#include <rigor/studies/pages.hpp>
+#include <rigor/studies/peer.hpp>
+#include <rigor/studies/plan.hpp>
+#include <rigor/studies/run_cells.hpp>
+#include <set>
+
+namespace rigor::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Cells : public ::testing::Test {
+ protected:
+  void SetUp() override { dir = fs::temp_directory_path() / ("rigor-studies-test-" + std::to_string(::getpid())); }
+  void TearDown() override { fs::remove_all(dir); }
+  fs::path dir;
+};
+
+StudyRequest small() {
+  StudyRequest r{"convergence", {"short-A"}, {"sheet", "rk4"}};
+  r.coarsest = 10;
+  r.rungs = 4;
+  return r;
+}
+const auto never_alone = [](const Cell&) { return false; };
+const auto measure = [](const Cell& cell) { return fly(cell); };
+
+TEST_F(Cells, DifferInTheirFileNamesAndComeBackFromTheirFiles) {
+  const auto cells = plan(small());
+  ASSERT_TRUE(cells);
+  ASSERT_EQ(cells->size(), 8u);
+  std::set<std::string> files;
+  for (const Cell& cell : *cells) {
+    files.insert(cell.file());
+    Row row = fly(cell);
+    row.put("none", std::nan(""));
+    const auto back = row_from_json(row_json(row), cell);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->at("attitude"), row.at("attitude"));
+    EXPECT_TRUE(std::isnan(back->at("none")));
+    Cell other = cell;
+    other.until = 2;
+    EXPECT_FALSE(row_from_json(row_json(row), other));  // another description: not this cell's
+  }
+  EXPECT_EQ(files.size(), 8u);
+  for (const char* text : {"", "{", "[]", "{\"schema\":\"rigor.cell/1\"}", "{\"schema\":1,\"cell\":2}"}) EXPECT_FALSE(row_from_json(text, (*cells)[0])) << text;
+}
+
+// One thread or three, at once or in two halves with a lost file between: the same rows.
+TEST_F(Cells, GiveTheSameRowsOnAnyThreadsAndAfterAResume) {
+  const auto cells = *plan(small());
+  const auto csv = [&](const RunOptions& options) {
+    const auto rows = run_cells(cells, measure, never_alone, options);
+    EXPECT_TRUE(rows);
+    return rows_csv(*rows);
+  };
+  const std::string alone = csv({1});
+  EXPECT_EQ(csv({3, dir}), alone);
+  EXPECT_TRUE(fs::remove(dir / "cells" / cells[5].file()));
+  EXPECT_TRUE(write_file(dir / "cells" / cells[2].file(), "half of a fi"));
+  int measured = 0;
+  const auto rows = run_cells(cells, [&](const Cell& cell) { return ++measured, fly(cell); }, never_alone, {1, dir, true});
+  ASSERT_TRUE(rows);
+  EXPECT_EQ(measured, 2);
+  EXPECT_EQ(rows_csv(*rows), alone);
+}
+
+TEST_F(Cells, AreKeptWhenTheRunIsInterrupted) {
+  const auto cells = *plan(small());
+  int measured = 0;
+  const auto stopped = run_cells(cells, [&](const Cell& cell) {
+    if (++measured == 4) detail::interrupt_seen = SIGINT;
+    return fly(cell);
+  }, never_alone, {1, dir});
+  detail::interrupt_seen = 0;
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(stopped->size(), 3u);  // the one that was interrupted does not count
+  const auto rest = run_cells(cells, measure, never_alone, {2, dir, true});
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->size(), 8u);
+}
+
+TEST_F(Cells, SayWhenTheyCannotBeWritten) {
+  ASSERT_TRUE(write_file(dir, "a file where a directory is wanted"));
+  const auto rows = run_cells(*plan(small()), measure, never_alone, {2, dir});
+  ASSERT_FALSE(rows);
+  EXPECT_EQ(rows.fault().kind, Fault::Kind::unwritable);
+}
+
+TEST(Plan, RefusesWhatCannotBeStudied) {
+  const auto says = [](auto change) {
+    StudyRequest r = small();
+    change(r);
+    const auto cells = plan(r);
+    return cells ? std::string("planned") : cells.fault().text();
+  };
+  const auto contains = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
+  contains(says([](StudyRequest& r) { r.kind = "convergnce"; }), "did you mean 'convergence'?");
+  contains(says([](StudyRequest& r) { r.problems = {"case-D"}; }), "did you mean 'case-A'?");
+  contains(says([](StudyRequest& r) { r.methods = {"rk5"}; }), "did you mean 'rk4'?");
+  contains(says([](StudyRequest& r) { r.until = -1; }), "--until is -1, must be > 0");
+  contains(says([](StudyRequest& r) { r.until = std::nan(""); }), "--until is nan");
+  contains(says([](StudyRequest& r) { r.h = {0.3}; }), "does not divide T = 1 s of short-A into whole steps; 1/3 does");
+  contains(says([](StudyRequest& r) { r.h = {-0.1}; }), "--h is -0.1");
+  contains(says([](StudyRequest& r) { r.h = {std::nan("")}; }), "--h is nan");
+  contains(says([](StudyRequest& r) { r.tolerances = {1e-17}; }), "below rounding");
+  contains(says([](StudyRequest& r) { r.peers = {"buulet"}; }), "did you mean 'bullet'?");
+  contains(says([](StudyRequest& r) { r.kind = "drift", r.until = 3; }), "not for drift");
+  contains(says([](StudyRequest& r) { r.kind = "contact"; }), "there is no problem of contact 'short-A'");
+  contains(says([](StudyRequest& r) { r.problems = {"/nowhere.json"}; }), "/nowhere.json does not exist");
+  EXPECT_EQ(says([](StudyRequest& r) { r.h = {0.1, 0.05}; }), "planned");
+}
+
+// Beside the test there is no peer's program: the fault names what to install.
+TEST(Plan, NamesThePackageOfAPeerThatIsNotThere) {
+  for (const Peer& peer : peers()) {
+    StudyRequest r = small();
+    r.peers = {peer.name};
+    const auto cells = plan(r);
+    ASSERT_FALSE(cells);
+    EXPECT_EQ(cells.fault().kind, Fault::Kind::unsupported);
+    EXPECT_NE(cells.fault().text().find(peer.package), std::string::npos);
+  }
+}
+
+TEST(Flight, OfASceneFileIsTheOneOfItsCuboid) {
+  const fs::path path = fs::temp_directory_path() / ("rigor-flight-" + std::to_string(::getpid()) + ".json");
+  const auto with = [&](const std::string& more) {
+    EXPECT_TRUE(write_file(path, "{\"cuboids\": [{\"mass\": 2, \"size\": [1, 2, 3], \"position\": [0, 1, 0], \"velocity\": [1, 0, 2], \"spin\": [0.5, 2, 0.25]}], \"until\": 2" + more + "}"));
+    return path.string();
+  };
+  const auto problem = open_problem(with(""));
+  ASSERT_TRUE(problem) << problem.fault().text();
+  for (const char* method : {"exact", "exact-plain"}) {
+    const Row row = fly({"convergence", path.string(), method});
+    EXPECT_LT(row.at("attitude"), 1e-14) << method;
+    EXPECT_LT(row.at("position"), 1e-14) << method;
+  }
+  EXPECT_LT(fly({"convergence", path.string(), "arkode-fehlberg8", 0, 1e-12}).at("attitude"), 1e-9);
+  EXPECT_FALSE(open_problem(with(", \"planes\": [{\"point\": [0, 0, 0], \"normal\": [0, 1, 0]}]"), 3));  // another T: not the one kept
+  fs::remove(path);
+}
+
+// case F-01: rest under a constant torque about an axis; every way that knows a torque gets there.
+TEST(Flight, OfAPushedBodyFollowsTheClosedForm) {
+  EXPECT_LT(fly({"convergence", "f-01", "rk4", 200}).at("attitude"), 1e-7);
+  EXPECT_LT(fly({"convergence", "f-01", "rk4", 200}).at("position"), 1e-12);
+  const Row row = fly({"convergence", "f-01", "exact"});
+  EXPECT_NE(row.failed, "");
+  EXPECT_TRUE(std::isnan(row.at("attitude")));
+}
+
+// cases FR-02, FR-04, P-01, P-04, P-07: located mode to rounding, the stepper of first order; but a flat landing, four corners
+// one after the other, does not become right with the step (case P-11).
+TEST(Contact, IsExactInLocatedModeAndOfFirstOrderInTheStepper) {
+  for (const ContactProblem& p : contact_problems()) {
+    double located = 0, coarse = 0, fine = 0;
+    for (const double x : p.sweep) {
+      located = std::fmax(located, contact({"contact", p.name, "located", 0, 0, 0, x}).at("error"));
+      coarse = std::fmax(coarse, contact({"contact", p.name, "sheet", 240, 0, 0, x}).at("error"));
+      fine = std::fmax(fine, contact({"contact", p.name, "sheet", 7680, 0, 0, x}).at("error"));
+    }
+    EXPECT_LT(located, 1e-12) << p.name;
+    EXPECT_GT(coarse, 1e-5) << p.name;
+    if (p.name == "p-11") {
+      EXPECT_GT(fine, 0.1);
+      continue;
+    }
+    EXPECT_NEAR(std::log2(coarse / fine) / 5, 1, 0.5) << p.name << " " << coarse << " " << fine;
+  }
+}
+
+TEST(Slope, FindsALineInNoiseAndKnowsWhenThereIsNone) {
+  std::vector<double> line, flat;
+  for (int i = 0; i < 40; ++i) {
+    const double noise = (i * 2654435761u % 1000) / 1000.0 - 0.5;
+    line.push_back(3e-3 * i + 0.01 * noise);
+    flat.push_back(noise);
+  }
+  EXPECT_NEAR(slope_of(line).value, 3e-3, slope_of(line).half_width);
+  EXPECT_LT(slope_of(line).half_width, 2e-4);
+  EXPECT_LT(std::fabs(slope_of(flat).value), slope_of(flat).half_width);
+  EXPECT_NEAR(slope_of({1, 2, 3, 4}).value, 1, 1e-15);
+  EXPECT_TRUE(std::isnan(slope_of({1, 2}).value));
+}
+
+// case D-14: ways summed with a carry stay with the line to a few roundings; without, the roundings of a sum of one sign add up.
+TEST(Drift, CarriedSumsKeepTheCentreOnItsLine) {
+  const Problem& p = *find_problem("case-A");
+  const double plain = drift_of(p, *find_method("split2"), 0.01, 200000).position, carried = drift_of(p, *find_method("split2"), 0.01, 200000, true).position;
+  EXPECT_LT(carried, 4 * 0x1p-53);
+  EXPECT_GT(plain, 20 * carried);
+}
+
+TEST(StabilityMaps, HaveAllThreeVerdicts) {
+  std::set<double> seen;
+  for (const double angle : {0.01, 1.5, 6.0})
+    for (const char* method : {"rk4", "implicit-midpoint"}) seen.insert(stability({"stability", "spin", method, 1000, 0, 0, angle, 10}).at("verdict"));
+  EXPECT_EQ(seen, (std::set<double>{0, 1, 2}));
+  EXPECT_EQ(stability({"stability", "mass", "sheet", 0, 0, 0, 1. / 240, 1}).at("verdict"), 0);
+}
+
+TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
+  for (const char* kind : {"convergence", "drift", "stability", "contact"}) {
+    StudyRequest r;
+    r.kind = kind;
+    r.methods = {"sheet", "split2"};
+    r.steps = 100;
+    r.rungs = 3;
+    std::vector<Row> rows;
+    const auto cells = *plan(r);
+    for (const Cell& cell : cells) {
+      if (cell.study == "stability" && cell.problem != "mass") continue;  // seconds
+      rows.push_back(cell.study == "drift" ? drift(cell) : cell.study == "stability" ? stability(cell) : cell.study == "contact" ? contact(cell) : fly(cell));
+    }
+    const StudyPage page = study_page(kind, rows, "rigor study " + std::string(kind));
+    for (const std::string& text : {page_html(page), page_markdown(page)}) {
+      EXPECT_NE(text.find("rigor study " + std::string(kind)), std::string::npos);
+      EXPECT_NE(text.find("SUNDIALS"), std::string::npos);
+      EXPECT_EQ(text.find("http://rigor"), std::string::npos);
+      if (std::string(kind) == "convergence") {
+        EXPECT_NE(text.find("Taylor series of order 40"), std::string::npos);
+      }
+    }
+    EXPECT_FALSE(page_text(page).empty());
+  }
+}
+
+// Every error has its cheapest run, and a failed run is a row without numbers.
+TEST(Pages, SayWhichMethodForWhichError) {
+  const auto row = [](const char* method, double error, double time) {
+    Row r{{"work-precision", "short-A", method, 1}, {}, std::isnan(error) ? "fell over" : "", ""};
+    r.put("attitude", error);
+    r.put("cpu_median", time);
+    return r;
+  };
+  const std::vector<Row> rows{row("sheet", 1e-3, 2e-6), row("rk4", 1e-9, 5e-6), row("exact", 1e-16, 3e-6), row("ode/step", 1e-3, 1e-3), row("taylor16", std::nan(""), 1e-9)};
+  const StudyPage page = work_page(rows);
+  const Table& choices = page.sections[0].tables[0];
+  EXPECT_EQ(choices.rows[0][1], "sheet (1 steps)");           // 1e-2
+  EXPECT_EQ(choices.rows[0].back(), "500");                    // the peer's time over it
+  EXPECT_EQ(choices.rows[3][1], "exact (1 steps)");            // 1e-5
+  EXPECT_EQ(choices.rows[3][3], "rk4 (1 steps)");
+  EXPECT_EQ(choices.rows[3][5], "none reaches it");
+  EXPECT_NE(page_markdown(study_page("work-precision", rows, "x")).find("fell over"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigor::studies
