@@ -165,7 +165,8 @@ Outcome<std::vector<Cell>> contacts(const StudyRequest& r) {
           std::vector<long> steps{0};
           if (method != "located") {
             steps.clear();
-            for (int k = 0; k < r.rungs.value_or(7); ++k) steps.push_back(r.coarsest.value_or(120) << k);
+            const int rungs = r.rungs.value_or(method == r.submission ? 4 : 7);  // its steps are calls to another process
+            for (int k = 0; k < rungs; ++k) steps.push_back(r.coarsest.value_or(120) << k);
           }
           for (const long n : steps)
             for (const double x : p.sweep) cells.push_back({"contact", name, method, n, 0, 0, x});

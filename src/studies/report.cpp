@@ -88,6 +88,7 @@ std::string page_markdown(const StudyPage& page) {
     }
     for (const report::Plot& plot : s.plots) out += "\n![" + plot.title + "](figure-" + std::to_string(++figure) + ".svg)\n";
     for (const Table& t : s.tables) {
+      if (t.every_run) continue;
       out += "\n" + t.caption + "\n\n|";
       for (const std::string& h : t.header) out += " " + cell_markdown(h) + " |";
       out += "\n|";
@@ -116,6 +117,7 @@ std::string page_text(const StudyPage& page) {
   for (const Section& s : page.sections) {
     out += s.heading + "\n";
     for (const Table& t : s.tables) {
+      if (t.every_run) continue;
       out += "  " + t.caption + "\n";
       std::vector<std::size_t> widths;
       for (std::size_t i = 0; i < t.header.size(); ++i) {

@@ -10,6 +10,7 @@ struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::size_t words = 1;  ///< so many columns on the left are words, the rest numbers
+  bool every_run = false; ///< long: in the HTML alone
 };
 struct Section {
   std::string heading;

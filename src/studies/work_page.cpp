@@ -66,7 +66,7 @@ StudyPage work_page(const std::vector<Row>& rows) {
     Section s = problem_section(problem.rows[0]->cell);
     report::Plot plot{"Processor time against attitude error: " + problem.name, "attitude error at the end, rad", "processor time, s", true, true, {}};
     Table reach{"cheapest median processor time, microseconds, that reaches an attitude error", {"method", "1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-9", "1e-10", "1e-12", "1e-13", "least error"}, {}, 1};
-    Table all{"every run", {"method", "setting", "attitude, rad", "L", "energy", "position, m", "evaluations", "CPU min, us", "median", "wall min, us", "median"}, {}, 2};
+    Table all{"every run", {"method", "setting", "attitude, rad", "L", "energy", "position, m", "evaluations", "CPU min, us", "median", "wall min, us", "median"}, {}, 2, true};
     bool peers = false;
     for (const Group& method : by_method(problem.rows)) {
       report::Series series{method.name, {}, {}, true, of_a_peer(*method.rows[0])};
