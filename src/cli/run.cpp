@@ -26,28 +26,30 @@ int bad_input(const Fault& fault) {
   return 2;
 }
 
+// At most 80 columns, names of files and reasons apart.
 void print(const Scene& scene, const RunSummary& run, double wall) {
   const Ledger& l = run.ledger;
   const bool located = scene.method == "located";
-  std::printf("%s: %zu cuboids, %zu planes, method %s, ", scene.name.c_str(), scene.bodies.size(), scene.planes.size(), scene.method.c_str());
-  if (!located) std::printf("dt %g s, ", scene.dt);
-  std::printf("%ld %s to t = %g s in %.3f s\n", run.steps, located ? "advances" : "steps", run.t_end, wall);
-  std::printf("  energy             %12.6g -> %-12.6g J   work %.4g, restitution lost %.4g, friction lost %.4g, correction %.4g\n", l.energy.start,
-              l.energy.end, l.energy.work, l.energy.restitution_loss, l.energy.friction_loss, l.energy.correction);
-  std::printf("  unexplained, worst %12.3g J         linear momentum %.3g N s   angular momentum %.3g kg m^2/s\n", l.energy.worst_drift,
-              l.linear.worst_drift, l.angular.worst_drift);
-  std::printf("  impacts            %12ld           planes %ld, pairs %ld; %ld with more energy after than before\n", l.impacts, l.plane_impacts,
-              l.pair_impacts, l.energy_rises);
+  std::printf("%s: %zu cuboids, %zu planes, method %s", scene.name.c_str(), scene.bodies.size(), scene.planes.size(), scene.method.c_str());
+  if (!located) std::printf(", dt %g s", scene.dt);
+  std::printf("\n  %-18s %ld to t = %g s in %.3f s\n", located ? "advances" : "steps", run.steps, run.t_end, wall);
+  std::printf("  energy             %.6g J -> %.6g J\n", l.energy.start, l.energy.end);
+  std::printf("    accounted for    work %.4g, restitution lost %.4g, friction lost %.4g,\n", l.energy.work, l.energy.restitution_loss, l.energy.friction_loss);
+  std::printf("                     correction %.4g, switched %.4g J\n", l.energy.correction, l.energy.switched);
+  std::printf("  unexplained, worst energy %.3g J, linear momentum %.3g N s,\n", l.energy.worst_drift, l.linear.worst_drift);
+  std::printf("                     angular momentum %.3g kg m^2/s\n", l.angular.worst_drift);
+  std::printf("  impacts            %ld: planes %ld, pairs %ld; %ld gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
   for (const Accumulation& a : run.accumulations)
-    std::printf("  bounces ended      cuboid %zu at t = %.9g s; the ones left out would have taken %.2g s\n", a.body, a.at, a.tail);
+    std::printf("  bounces ended      cuboid %zu at t = %.9g s, %.2g s left out\n", a.body, a.at, a.tail);
   for (const HandOver& h : run.handed_over)
-    std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s: %s\n", h.body, h.from, h.to, h.why.c_str());
+    std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s:\n    %s\n", h.body, h.from, h.to, h.why.c_str());
   const auto skips = [](long left_out, long of, const char* what) {
-    if (of > 0) std::printf("  skipped            %11.1f %%           of %ld %s\n", 100 * double(left_out) / double(of), of, what);
+    if (of > 0) std::printf("  skipped            %.1f %% of %ld %s\n", 100 * double(left_out) / double(of), of, what);
   };
-  skips(l.skips.pairs, l.skips.pairs_of, "pairs: never near each other in that step");
-  skips(l.skips.planes, l.skips.planes_of, "cuboids against planes: no corner reaches it");
-  std::printf("  deepest overlap    %12.3g m         rotation matrices off orthonormal by %.2g\n", l.deepest_penetration, l.worst_orthonormality);
+  skips(l.skips.pairs, l.skips.pairs_of, "pairs: not near in that step");
+  skips(l.skips.planes, l.skips.planes_of, "cuboids against planes: out of reach");
+  std::printf("  deepest overlap    %.3g m\n", l.deepest_penetration);
+  std::printf("  orthonormality     off by %.2g at worst\n", l.worst_orthonormality);
 }
 
 std::string lead(const Scene& scene, const RunSummary& run) {

@@ -11,6 +11,7 @@
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/wrap.hpp>
 #include <sstream>
+#include <sstream>
 #include <string>
 
 namespace rigor {
@@ -57,6 +58,23 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_TRUE(contains(help.text, std::string("Example:  rigor ") + command)) << help.text;
   }
+}
+
+TEST_F(Program, FitsEightyColumnsWhenItRunsAScene) {
+  for (const char* scene : {"assignment", "drop", "tumble", "slide", "spin-box", "drop --method located", "assignment --until 2 --method located"}) {
+    const Ran ran = rigor_says(std::string("run ") + scene);
+    EXPECT_TRUE(contains(ran.text, "unexplained, worst")) << ran.text;
+    std::istringstream lines(ran.text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  }
+}
+
+TEST_F(Program, SaysWhyALiveSceneCannotBe) {
+  EXPECT_EQ(rigor_says("view nothing").status, 2);
+  const Ran located = rigor_says("view drop --method located");
+  EXPECT_EQ(located.status, 2);
+  EXPECT_TRUE(contains(located.text, "--method sheet")) << located.text;
+  EXPECT_EQ(rigor_says("view drop --port 65536").status, 2);
 }
 
 TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
