@@ -3,7 +3,6 @@
 #include <rigor/formulas/semi_implicit_step.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
 #include <rigor/integrators/euler.hpp>
-#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 namespace {
@@ -57,6 +56,18 @@ Motion step_euler_exponential(const Cuboid<double>& body, const Motion& now, con
   State<double> next = semi_implicit(body, now.state, load, h);
   const Mat3<double> turn = exp_so3<double>(Vec3<double>(h * next.w_WB));
   for (int k = 0; k < 3; ++k) next.R_WB.col(k) = apply<double>(turn, now.state.R_WB.col(k));
+  return motion_of(body, next);
+}
+
+Vec4<double> naive_quaternion_step(double h, const Vec3<double>& w, const Vec4<double>& q) {
+  const Vec4<double> rate(-(w[0] * q[1] + w[1] * q[2] + w[2] * q[3]), w[0] * q[0] + w[1] * q[3] - w[2] * q[2], w[1] * q[0] + w[2] * q[1] - w[0] * q[3],
+                          w[2] * q[0] + w[0] * q[2] - w[1] * q[1]);
+  return q + h / 2 * rate;
+}
+
+Motion step_euler_quaternion(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  State<double> next = semi_implicit(body, now.state, load, h);
+  next.R_WB = rotation_of<double>(naive_quaternion_step(h, next.w_WB, quaternion_of<double>(now.state.R_WB)));
   return motion_of(body, next);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <rigor/integrators/method.hpp>
+#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 
@@ -14,6 +15,12 @@ Motion step_euler_naive(const Cuboid<double>& body, const Motion& now, const Loa
 
 /// As the sheet's step, but R' = exp(h[ω']ₓ) R. Order 1, R a rotation to rounding.
 Motion step_euler_exponential(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// As the sheet's step, but the attitude is a quaternion: q' = q + h/2 (0, ω') q, then made a unit one. Each step turns by
+/// 2 atan(h|ω|/2) in place of h|ω|. Order 1.
+Motion step_euler_quaternion(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+/// The quaternion's step before it is made a unit one: longer by √(1 + (h|ω|/2)²) each time (case K-08).
+Vec4<double> naive_quaternion_step(double h, const Vec3<double>& w_WB, const Vec4<double>& q_WB);
 
 /// Momentum form: L' = L + h τ, ω' = I⁻¹ L' at the old attitude, R' = GramSchmidt(R + h[ω']ₓ R). Order 1; without
 /// torque L stays the same to the bit (case D-08).

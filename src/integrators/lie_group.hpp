@@ -18,4 +18,11 @@ Motion step_rkmk4(const Cuboid<double>& body, const Motion& now, const Load& loa
 /// Commutator-free, four stages, two exponentials. Order 4.
 Motion step_commutator_free4(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 
+/// Under a load that changes. The first two between half kicks, order 2; the others with the load at their four stages, for
+/// any load, order 4.
+Motion step_implicit_midpoint_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_buss_augmented_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_rkmk4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_commutator_free4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+
 }  // namespace rigor

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/moser_veselov.hpp>
 #include <rigor/integrators/turning.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -57,5 +58,8 @@ Turning moser_veselov(const Cuboid<double>& body, const Turning& now, double h) 
 Motion step_moser_veselov(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(moser_veselov<2>, body, now, load, h); }
 Motion step_moser_veselov4(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(moser_veselov<4>, body, now, load, h); }
 Motion step_moser_veselov8(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(moser_veselov<8>, body, now, load, h); }
+Motion step_moser_veselov_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<2>, strang, body, now, load, t, h); }
+Motion step_moser_veselov4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<4>, yoshida4, body, now, load, t, h); }
+Motion step_moser_veselov8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<8>, kahan_li8, body, now, load, t, h); }
 
 }  // namespace rigor

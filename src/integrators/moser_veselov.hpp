@@ -11,4 +11,9 @@ Motion step_moser_veselov(const Cuboid<double>& body, const Motion& now, const L
 Motion step_moser_veselov4(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 Motion step_moser_veselov8(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 
+/// The map as the free flow between kicks of the load: Strang, Yoshida, Kahan and Li. Orders 2, 4 and 8.
+Motion step_moser_veselov_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_moser_veselov4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_moser_veselov8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+
 }  // namespace rigor

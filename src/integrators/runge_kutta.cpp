@@ -1,4 +1,5 @@
 #include <cmath>
+#include <rigor/integrators/flat_state.hpp>
 #include <rigor/integrators/runge_kutta.hpp>
 #include <rigor/linalg/rotation.hpp>
 
@@ -40,6 +41,12 @@ Motion step_rk4(const Cuboid<double>& body, const Motion& now, const Load& load,
   next.R_WB = rotation_of<double>(y.q);
   next.w_WB = apply<double>(next.R_WB, y.w_B);
   return motion_of(body, next);
+}
+
+Motion step_rk4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) {
+  const auto rate = [&](double at, const FlatState& y) { return flat_rate(body, load, at, y); };
+  const FlatState y = flat_of(now.state), k1 = rate(t, y), k2 = rate(t + h / 2, y + h / 2 * k1), k3 = rate(t + h / 2, y + h / 2 * k2), k4 = rate(t + h, y + h * k3);
+  return motion_of(body, state_of(FlatState(y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))));
 }
 
 }  // namespace rigor

@@ -1,5 +1,5 @@
-#include <array>
 #include <cmath>
+#include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/splitting.hpp>
 #include <rigor/integrators/turning.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -21,16 +21,6 @@ void turn_about(int k, double a, Turning& x) {
     x.R_WB(row, j) = c * d - s * b;
   }
 }
-
-// Symmetric compositions: the stages sum to 1, and the sums of their odd powers vanish up to the order.
-constexpr std::array strang{1.0};
-constexpr std::array yoshida4{1.3512071919596576340, -1.7024143839193152681, 1.3512071919596576340};
-constexpr std::array kahan_li6{0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981, 0.082213596293550800230, 0.79854399093482996340,
-                               0.082213596293550800230, -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
-constexpr std::array kahan_li8{0.13020248308889008088, 0.56116298177510838456, -0.38947496264484728641, 0.15884190655515560090, -0.39590389413323757734,
-                               0.18453964097831570709, 0.25837438768632204729, 0.29501172360931029887, -0.60550853383003451170, 0.29501172360931029887,
-                               0.25837438768632204729, 0.18453964097831570709, -0.39590389413323757734, 0.15884190655515560090, -0.38947496264484728641,
-                               0.56116298177510838456, 0.13020248308889008088};
 
 // Neighbouring half turns about the same axis are done as one: `carry`.
 template <const auto& stages>
@@ -83,5 +73,11 @@ Motion step_split2(const Cuboid<double>& body, const Motion& now, const Load& lo
 Motion step_split2_yoshida4(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(two_axes<yoshida4>, body, now, load, h); }
 Motion step_split2_kahan_li6(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(two_axes<kahan_li6>, body, now, load, h); }
 Motion step_split2_kahan_li8(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(two_axes<kahan_li8>, body, now, load, h); }
+Motion step_split3_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(three_axes<strang>, strang, body, now, load, t, h); }
+Motion step_split3_yoshida4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(three_axes<strang>, yoshida4, body, now, load, t, h); }
+Motion step_split2_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(two_axes<strang>, strang, body, now, load, t, h); }
+Motion step_split2_yoshida4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(two_axes<strang>, yoshida4, body, now, load, t, h); }
+Motion step_split2_kahan_li6_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(two_axes<strang>, kahan_li6, body, now, load, t, h); }
+Motion step_split2_kahan_li8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(two_axes<strang>, kahan_li8, body, now, load, t, h); }
 
 }  // namespace rigor

@@ -18,4 +18,12 @@ Motion step_split2_yoshida4(const Cuboid<double>& body, const Motion& now, const
 Motion step_split2_kahan_li6(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 Motion step_split2_kahan_li8(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 
+/// The same between kicks of the load, the whole composed: of the same order under a load that does not look at velocities.
+Motion step_split3_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_split3_yoshida4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_split2_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_split2_yoshida4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_split2_kahan_li6_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+Motion step_split2_kahan_li8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
+
 }  // namespace rigor

@@ -1,4 +1,5 @@
 #include <array>
+#include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/taylor.hpp>
 #include <rigor/integrators/turning.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -41,5 +42,6 @@ Turning taylor(const Cuboid<double>& body, const Turning& now, double h) {
 }  // namespace
 
 Motion step_taylor16(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(taylor, body, now, load, h); }
+Motion step_taylor16_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(taylor, kahan_li8, body, now, load, t, h); }
 
 }  // namespace rigor

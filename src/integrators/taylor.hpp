@@ -4,7 +4,10 @@
 namespace rigor {
 
 /// Taylor series of order 16 of (ω_B, q): Euler's equations with a quaternion are quadratic, so the coefficients follow
-/// from Cauchy products. Order 16 on a free body; the torque is given in two half kicks, order 2 where there is one.
+/// from Cauchy products. Order 16 on a free body; a held torque is given in two half kicks.
 Motion step_taylor16(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// As the free flow between kicks of the load, seventeen of each. Order 8.
+Motion step_taylor16_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 
 }  // namespace rigor

@@ -23,4 +23,50 @@ Motion kicked_step(FreeTurn turn, const Cuboid<double>& body, const Motion& now,
   return next;
 }
 
+namespace {
+
+void renew_spin(const Cuboid<double>& body, Motion& x) {
+  const V L_B = apply_transposed<double>(x.state.R_WB, x.L_W);
+  x.state.w_WB = apply<double>(x.state.R_WB, V(L_B.cwiseProduct(body.inverse_inertia())));
+}
+void kick(const Cuboid<double>& body, const LoadAt& load, double t, double h, Motion& x) {
+  State<double>& s = x.state;
+  const Load at = load(t, s);
+  s.v_WB += h * body.inverse_mass() * at.f_W;
+  x.L_W += h * at.tau_W;
+  renew_spin(body, x);
+}
+void flow(FreeTurn turn, const Cuboid<double>& body, double h, Motion& x) {
+  x.state.p_WB += h * x.state.v_WB;
+  x.state.R_WB = turn(body, {x.state.R_WB, apply_transposed<double>(x.state.R_WB, x.L_W)}, h).R_WB;
+  renew_spin(body, x);  // the load may look at it
+}
+
+}  // namespace
+
+Motion composed_step(FreeTurn turn, std::span<const double> stages, const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) {
+  Motion x = now;
+  double carry = 0, done = 0;  // neighbouring half kicks are one
+  for (const double stage : stages) {
+    kick(body, load, t + done * h, (carry + stage / 2) * h, x);
+    flow(turn, body, stage * h, x);
+    done += stage;
+    carry = stage / 2;
+  }
+  kick(body, load, t + h, carry * h, x);
+  return x;
+}
+
+Motion split_step(FreeTurn turn, const Splitting& parts, const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) {
+  Motion x = now;
+  double done = 0;
+  for (std::size_t i = 0; i < parts.flow.size(); ++i) {
+    kick(body, load, t + done * h, parts.kick[i] * h, x);
+    flow(turn, body, parts.flow[i] * h, x);
+    done += parts.flow[i];
+  }
+  kick(body, load, t + h, parts.kick.back() * h, x);
+  return x;
+}
+
 }  // namespace rigor

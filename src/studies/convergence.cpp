@@ -8,8 +8,9 @@
 namespace rigor::studies {
 State<double> integrate(const Problem& problem, const Method& method, long steps) {
   const double h = problem.until / double(steps);
+  const LoadAt load = [&](double t, const State<double>& s) { return problem.load_at(t, s); };
   Motion m = motion_of(problem.body, problem.start);
-  for (long k = 0; k < steps; ++k) m = method.step(problem.body, m, problem.load_at((double(k) + 0.5) * h, m.state), h);
+  for (long k = 0; k < steps; ++k) m = advance(method, problem.body, m, load, double(k) * h, h);
   return m.state;
 }
 

@@ -24,7 +24,7 @@ struct Ladder {
   int used = 0;            ///< points in the window: see Fit
 };
 
-/// Steps of one method: `steps` equal steps to the problem's end. The load is taken at the middle of each step.
+/// Steps of one method: `steps` equal steps to the problem's end, the load taken as `advance` takes it.
 State<double> integrate(const Problem& problem, const Method& method, long steps);
 
 /// Halves the step `rungs` times from `coarsest` steps. Stops early when interrupted.

@@ -30,7 +30,7 @@ TEST(Order, OfThePlainStepperIsOne) {
 }
 
 TEST(Order, OfRungeKuttaIsFourWhereTheLoadIsConstant) {
-  for (const char* problem : {"short-A", "case-A"}) EXPECT_NEAR(converge(*find_problem(problem), *find_method("rk4"), 50, 6).order, 4, 0.3) << problem;
+  for (const char* problem : {"short-A", "case-A"}) EXPECT_NEAR(converge(*find_problem(problem), *find_method("rk4"), 25, 6).order, 4, 0.3) << problem;
 }
 
 TEST(FittedOrder, LeavesOutRoundingAndWhatIsNotAsymptotic) {

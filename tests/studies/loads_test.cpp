@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <complex>
+#include <rigor/engine/flow_methods.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <tests/studies/manufactured.hpp>
+#include <tests/studies/observed_order.hpp>
 
 namespace rigor::studies {
 namespace {
@@ -12,60 +15,6 @@ namespace {
 using V = Vec3<double>;
 using C = std::complex<double>;
 
-// case F-08: a motion chosen first, x(t) and R = Rz(sin t) Rx(t + t^2/4) Rz(cos 2t), and the loads it takes. tau = dL/dt by a
-// complex step, exact to rounding. Every term of the equations is active.
-struct Chosen {
-  template <class T>
-  static Eigen::Matrix<T, 3, 3> about(int axis, const T& angle) {
-    using std::cos, std::sin;
-    Eigen::Matrix<T, 3, 3> R = Eigen::Matrix<T, 3, 3>::Identity();
-    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    R(i, i) = R(j, j) = cos(angle);
-    R(j, i) = sin(angle);
-    R(i, j) = -sin(angle);
-    return R;
-  }
-  template <class T>
-  static Eigen::Matrix<T, 3, 3> attitude(const T& t) {
-    using std::cos, std::sin;
-    return about<T>(2, sin(t)) * about<T>(0, T(t + t * t / 4.0)) * about<T>(2, cos(2.0 * t));
-  }
-  template <class T>
-  static Eigen::Matrix<T, 3, 1> spin(const T& t) {  // world axes: each rate about its axis as the turns before it left it
-    using std::cos, std::sin;
-    const Eigen::Matrix<T, 3, 3> A = about<T>(2, sin(t)), B = A * about<T>(0, T(t + t * t / 4.0));
-    return Eigen::Matrix<T, 3, 1>(cos(t) * A.col(2) + (1.0 + t / 2.0) * A.col(0) * T(1) - 2.0 * sin(2.0 * t) * B.col(2));
-  }
-  template <class T>
-  static Eigen::Matrix<T, 3, 1> momentum(const V& I, const T& t) {
-    const Eigen::Matrix<T, 3, 3> R = attitude<T>(t);
-    Eigen::Matrix<T, 3, 1> L_B = R.transpose() * spin<T>(t);
-    for (int i = 0; i < 3; ++i) L_B[i] *= I[i];
-    return R * L_B;
-  }
-};
-Problem manufactured() {
-  Problem p{"manufactured", "", "", *Cuboid<double>::make(2, {1, 2, 3}), {}, nullptr, 2, {}};
-  const V I = p.body.inertia();
-  const auto position = [](double t) { return V(std::sin(t), t * t * t / 3, std::cos(2 * t)); };
-  const auto velocity = [](double t) { return V(std::cos(t), t * t, -2 * std::sin(2 * t)); };
-  const auto state = [=](double t) {
-    State<double> s;
-    s.p_WB = position(t);
-    s.v_WB = velocity(t);
-    s.R_WB = Chosen::attitude<double>(t);
-    s.w_WB = Chosen::spin<double>(t);
-    return s;
-  };
-  p.start = state(0);
-  p.end = state(p.until);
-  p.load = [I](double t, const State<double>&) {
-    const double h = 1e-30;
-    const Eigen::Matrix<C, 3, 1> L = Chosen::momentum<C>(I, C(t, h));
-    return Load{2 * V(-std::sin(t), 2 * t, -4 * std::cos(2 * t)), V(L[0].imag() / h, L[1].imag() / h, L[2].imag() / h)};
-  };
-  return p;
-}
 double order(const Problem& p, const char* method, long steps) {
   const auto error = [&](long n) {
     const Errors e = errors_of(p, integrate(p, *find_method(method), n));
@@ -82,16 +31,21 @@ TEST(Manufactured, TheSpinIsTheRateOfTheAttitude) {
     EXPECT_LT(norm<double>(V(V(turn(2, 1), turn(0, 2), turn(1, 0)) - Chosen::spin<double>(t))), 1e-14);
   }
 }
-TEST(Manufactured, IsRecoveredToTheOrderOfTheMethodOrTwo) {
+// cases F-08, D-11: of the order stated for a load, the load taken at the stages.
+TEST(Manufactured, IsRecoveredToTheOrderOfTheMethod) {
   const Problem p = manufactured();
-  for (const Method& m : methods()) {
+  std::vector<Method> all = methods();
+  all.insert(all.end(), flow_methods().begin(), flow_methods().end());
+  for (const Method& m : all) {
     if (m.name == "euler-naive") continue;  // its R leaves the rotations
-    EXPECT_NEAR(order(p, std::string(m.name).c_str(), m.order == 1 ? 2000 : 400), std::min(m.order, 2), 0.2) << m.name;
+    const Observed seen = observed_order(m, p, m.forced_order);
+    EXPECT_GE(seen.used, 4) << m.name;
+    EXPECT_NEAR(seen.order, m.forced_order, order_slack(m.forced_order)) << m.name;
   }
 }
 
-// case F-03: a spring on the centre and one about a principal axis: cosines. The load is that of the beginning of a step, so
-// every method is of order 1 here; symplectic ones keep the energy from growing.
+// case F-03: a spring on the centre and one about a principal axis: cosines. Order 1 where the load is
+// held; that of the method where it is taken at the stages.
 TEST(Springs, OscillateWithTheirFrequency) {
   Problem p{"spring", "", "", *Cuboid<double>::make(2, {1, 2, 3}), {}, nullptr, 3, {}};
   const double k = 8, twist = 5, w = 2, turn = std::sqrt(twist / p.body.inertia()[2]);
@@ -104,6 +58,10 @@ TEST(Springs, OscillateWithTheirFrequency) {
   p.end.R_WB = exp_so3<double>(V(0, 0, 0.4 * std::cos(turn * 3)));
   p.end.w_WB = V(0, 0, -turn * 0.4 * std::sin(turn * 3));
   for (const char* m : {"sheet", "euler-exponential", "euler-momentum", "explicit-euler"}) EXPECT_NEAR(order(p, m, 4000), 1, 0.05) << m;
+  for (const char* m : {"rk4", "rkmk4", "dormand-prince", "split2", "split2-yoshida4", "split2-kahan-li6", "implicit-midpoint"}) {
+    const int stated = find_method(m)->forced_order;
+    EXPECT_NEAR(observed_order(*find_method(m), p, stated).order, stated, order_slack(stated)) << m;
+  }
 }
 
 // case F-04: quadratic drag on a fall: terminal speed, v = v_e tanh(g t/v_e); linear drag: an exponential.

@@ -1,46 +1,47 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <rigor/engine/flow_methods.hpp>
 #include <rigor/linalg/rotation.hpp>
-#include <rigor/studies/convergence.hpp>
+#include <tests/studies/observed_order.hpp>
 #include <set>
 
 namespace rigor::studies {
 namespace {
 
-// Numbers of steps at which a method is past its first wiggles and a hundred times above rounding.
-std::vector<long> ladder_of(const Method& method) {
-  if (method.name == "moser-veselov8") return {48, 64, 80, 100};
-  if (method.name == "rkmk4") return {1600, 2400, 3600};  // its terms of order 4 and 5 cancel near 600
-  switch (method.order) {
-    case 1: return {100, 200, 400, 800};  // on the first second; ten take more than 1e5 steps
-    case 2: return {800, 1600, 3200};
-    case 4: return {400, 600, 900};
-    case 6: return {40, 56, 80, 112};
-    case 8: return {28, 34, 40, 48};
-    default: return {17, 20, 24, 29};
+std::vector<Method> every_method() {
+  std::vector<Method> all = methods();
+  all.insert(all.end(), flow_methods().begin(), flow_methods().end());
+  return all;
+}
+
+// The problem on which a method is held to its order: case A is the rule. Of order 1 only its first second, since none is
+// asymptotic on the whole in any number of steps one wants to wait for. Kahan and Li's seventeen stages and the
+// preprocessed map of order 8 are steeper than their order on case A down to 1e-9 (10.4 and 8.6): the first on case C, where they settle,
+// the other on the first second.
+const Problem& problem_for(const Method& method) {
+  if (method.name == "split2-kahan-li8") return *find_problem("case-C");
+  return *find_problem(method.order == 1 || method.name == "moser-veselov8" ? "short-A" : "case-A");
+}
+
+// case D-11: the order a method states is the order it has, on free flight against 60 digits.
+TEST(Orders, AreThoseStated) {
+  for (const Method& method : methods()) {
+    const Observed seen = observed_order(method, problem_for(method), method.order);
+    EXPECT_GE(seen.used, 4) << method.name;
+    if (method.order > 8) {
+      EXPECT_GT(seen.order, 15) << method.name;  // the next terms still count where the error is above rounding: steeper than 16
+    } else {
+      EXPECT_NEAR(seen.order, method.order, order_slack(method.order)) << method.name;
+    }
   }
 }
 
-// case D-11: the order a method states is the order it has, on free flight against 60 digits: least squares over the
-// ladder, within 5 % (the next term of the error is that large at its coarse end).
-TEST(Orders, AreThoseStated) {
-  for (const Method& method : methods()) {
-    const Problem& problem = *find_problem(method.order == 1 ? "short-A" : "case-A");
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0, error = 0;
-    for (const long steps : ladder_of(method)) {
-      error = errors_of(problem, integrate(problem, method, steps)).attitude;
-      const double a = -std::log(double(steps)), b = std::log(error);
-      n += 1, x += a, y += b, xx += a * a, xy += a * b;
-    }
-    const double order = (n * xy - x * y) / (n * xx - x * x);
-    std::printf("%-20s order %2d, fitted %.2f, error %.1e rad at %ld steps\n", std::string(method.name).c_str(), method.order, order, error, ladder_of(method).back());
-    if (method.order > 8) {
-      EXPECT_GT(order, 15) << method.name;  // the next terms still count where the error is above rounding: steeper than 16
-    } else {
-      EXPECT_NEAR(order, method.order, 0.05 * method.order) << method.name;
-    }
-  }
+// The closed form has no truncation error: one step or a thousand, the end is the same to rounding.
+TEST(Orders, TheExactFlowHasNoneToSpeakOf) {
+  const Problem& problem = *find_problem("case-A");
+  for (const Method& method : flow_methods())
+    for (const long steps : {1, 10, 1000}) EXPECT_LT(errors_of(problem, integrate(problem, method, steps)).attitude, 1e-13 * std::sqrt(double(steps)));
 }
 
 // case D-09. What a method says it conserves: L to the bit, the energy to rounding over a thousand steps of 0.01 s.
@@ -48,7 +49,7 @@ TEST(Orders, WhatIsConservedIsConserved) {
   const Problem& problem = *find_problem("case-A");
   const double energy = motion_of(problem.body, problem.start).L_W.dot(problem.start.w_WB) / 2;
   std::set<std::string_view> kept;
-  for (const Method& method : methods()) {
+  for (const Method& method : every_method()) {
     Motion m = motion_of(problem.body, problem.start);
     const Vec3<double> L = m.L_W;
     double drift = 0, skew = 0;
@@ -68,15 +69,6 @@ TEST(Orders, WhatIsConservedIsConserved) {
     if (says_energy) kept.insert(method.name);
   }
   EXPECT_GE(kept.size(), 4u);
-}
-
-// With a torque every one of them is of order min(stated, 2): the load is held over the step.
-TEST(Orders, UnderATorqueAreAtMostTwo) {
-  const Problem& problem = *find_problem("forced");
-  for (const Method& method : methods()) {
-    const Ladder ladder = converge(problem, method, method.order == 1 ? 1000 : 100, 4);
-    EXPECT_NEAR(ladder.order, std::min(method.order, 2), 0.15) << method.name;
-  }
 }
 
 // A method is right at any step, forwards and backwards: symmetric ones come back to where they began.
