@@ -3,6 +3,7 @@
 #include <rigor/integrators/lie_group.hpp>
 #include <rigor/integrators/turning.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <utility>
 
 namespace rigor {
 namespace {
