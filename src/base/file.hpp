@@ -27,7 +27,7 @@ inline Outcome<std::string> read_file(const std::filesystem::path& path, std::ui
                  "has " + std::to_string(size) + " bytes, at most " + std::to_string(limit) + " are read"};
   std::ifstream in(path, std::ios::binary);
   std::ostringstream out;
-  out << in.rdbuf();
+  if (size > 0) out << in.rdbuf();  // of nothing, << would set the failure flag
   if (!in || !out) return Fault{Fault::Kind::unreadable, path.string(), "cannot be read"};
   return out.str();
 }

@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <rigor/base/float_environment.hpp>
@@ -18,6 +20,34 @@ int unknown_command(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   std::fprintf(stderr, "rigor: there is no command '%s'%s; 'rigor --help' lists them\n", word.c_str(),
                rigor::did_you_mean(word, known).c_str());
+  return 2;
+}
+
+// One line: the command, what is wrong with which word, and where to look.
+int usage_error(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  const auto parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  std::string what = error.what();
+  if (const std::size_t end = what.find('\n'); end != std::string::npos) what.resize(end);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options()) known.push_back("--" + option->get_single_name());
+    for (const std::string& word : words) {
+      const std::string flag = word.substr(0, word.find('='));
+      if (flag.size() < 2 || flag[0] != '-' || command.get_option_no_throw(flag) != nullptr) continue;
+      what = "there is no option '" + flag + "'" + rigor::did_you_mean(flag, known);
+      break;
+    }
+  }
+  const std::string name = parsed.empty() ? "rigor" : "rigor " + command.get_name();
+  std::fprintf(stderr, "%s: %s; '%s --help' shows what it takes\n", name.c_str(), what.c_str(), name.c_str());
+  return 2;
+}
+
+// Output that did not arrive is no success.
+int flushed(int exit_status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_status;
+  std::fprintf(stderr, "rigor: standard output cannot be written: %s\n", std::strerror(errno));
   return 2;
 }
 
@@ -42,9 +72,10 @@ int main(int argc, char** argv) {
   try {
     rigor::catch_interrupts();
     app.parse(argc, argv);
-    return exit_status;
+    return flushed(exit_status);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return flushed(app.exit(error));  // --help, --version
+    return usage_error(app, error, {argv + 1, argv + argc});
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "rigor: out of memory; a shorter run, fewer bodies or a larger output interval needs less\n");
     return 3;

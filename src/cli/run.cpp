@@ -30,7 +30,8 @@ int bad_input(const Fault& fault) {
 void print(const Scene& scene, const RunSummary& run, double wall) {
   const Ledger& l = run.ledger;
   const bool located = scene.method == "located";
-  std::printf("%s: %zu cuboids, %zu planes, method %s", scene.name.c_str(), scene.bodies.size(), scene.planes.size(), scene.method.c_str());
+  const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
+  std::printf("%s: %s, %s, method %s", scene.name.c_str(), count(scene.bodies.size(), "cuboid").c_str(), count(scene.planes.size(), "plane").c_str(), scene.method.c_str());
   if (!located) std::printf(", dt %g s", scene.dt);
   std::printf("\n  %-18s %ld to t = %g s in %.3f s\n", located ? "advances" : "steps", run.steps, run.t_end, wall);
   std::printf("  energy             %.6g J -> %.6g J\n", l.energy.start, l.energy.end);
@@ -76,17 +77,16 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
   }, skip);
 }
 
-// The scene once more by each method of --beside, only to be looked at.
-Outcome<std::vector<view::Recording>> beside(const Scene& scene, const std::vector<std::string>& methods) {
-  std::vector<view::Recording> recordings;
-  for (const std::string& method : methods) {
-    Scene other = scene;
-    other.method = method;
-    if (const auto ok = check_scene(other); !ok) return ok.fault().inside("--beside");
-    view::Recording& recording = recordings.emplace_back(other, method);
-    if (const auto run = simulate_recorded(other, &recording, [](double, const auto&) {}); !run) return run.fault().inside("--beside");
+// The scene by each method of --beside, only to be looked at.
+Outcome<std::vector<Scene>> beside(const Scene& scene, const Options& options) {
+  if (!options.beside.empty() && options.out.empty()) return Fault{Fault::Kind::missing, "--beside", "is shown in replay.html, which needs --out"};
+  std::vector<Scene> scenes;
+  for (const std::string& method : options.beside) {
+    scenes.push_back(scene);
+    scenes.back().method = method;
+    if (const auto ok = check_scene(scenes.back()); !ok) return Fault{ok.fault().kind, "--beside", ok.fault().what};
   }
-  return recordings;
+  return scenes;
 }
 
 int run_command(const Options& options) {
@@ -98,6 +98,8 @@ int run_command(const Options& options) {
   if (options.until) scene.until = *options.until;
   if (options.every) scene.every = *options.every;
   if (const auto ok = check_scene(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
+  const auto others = beside(scene, options);
+  if (!others) return bad_input(others.fault());
 
   TrajectoryCsv csv(scene.bodies.size());
   const bool keep = !options.out.empty();
@@ -117,9 +119,10 @@ int run_command(const Options& options) {
     const std::filesystem::path dir = options.out;
     if (const auto written = write_file(dir / "trajectory.csv", csv.text()); !written) return bad_input(written.fault());
     if (const auto written = write_file(dir / "summary.json", summary); !written) return bad_input(written.fault());
-    auto others = beside(scene, options.beside);
-    if (!others) return bad_input(others.fault());
-    for (view::Recording& other : std::move(others).value()) recordings.push_back(std::move(other));
+    for (const Scene& other : *others) {
+      view::Recording& recording = recordings.emplace_back(other, other.method);
+      if (const auto ran = simulate_recorded(other, &recording, [](double, const auto&) {}); !ran) return bad_input(ran.fault().inside("--beside"));
+    }
     if (const auto page = view::replay_page(recordings, std::filesystem::path(scene.name).filename().string(), lead(scene, run)); !page)
       std::fprintf(stderr, "rigor run: no replay.html: %s\n", page.fault().text().c_str());
     else if (const auto written = write_file(dir / "replay.html", *page); !written)
@@ -135,7 +138,9 @@ int run_command(const Options& options) {
     std::fprintf(stderr, "rigor run: a number stopped being finite at t = %g s; the step is too long for this scene and method\n", run.t_end);
     return 1;
   }
-  return run.interrupted ? 128 + interrupted() : 0;
+  if (!run.interrupted) return 0;
+  std::fprintf(stderr, "rigor run: interrupted at t = %g s; what is shown and written ends there\n", run.t_end);
+  return 128 + interrupted();
 }
 
 }  // namespace
@@ -148,7 +153,7 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--dt", options->dt, "step, s");
   command->add_option("--until", options->until, "end, s");
   command->add_option("--every", options->every, "output interval, s; 0: each step");
-  command->add_option("--seed", options->seed, "of the scene's random numbers");
+  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(CLI::Range(1.0, 0x1p53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
   command->add_flag("--no-skip", options->no_skip, "look at every pair and plane in every step (steppers); the same bits, slower");

@@ -55,21 +55,26 @@ nlohmann::json as_json(const verify::Result& result, const Options& options) {
   return out;
 }
 
+template <class Row>
+const char* mark(const Row& row, const char* broken) {
+  return row.ok() ? "" : row.cases == 0 ? "   not run" : broken;
+}
+
 void print(const std::vector<verify::Agreement>& rows) {
   for (const auto& r : rows)
     std::printf("  %-30s %8.1e <= %-8.1e %6ld cases%s\n      %s\n", r.id.c_str(), r.worst, r.bound, r.cases,
-                r.ok() ? "" : "   ABOVE", r.oracle.c_str());
+                mark(r, "   ABOVE"), r.oracle.c_str());
 }
 
 void print(const verify::Result& result) {
   if (!result.identities.empty()) std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
   for (const auto& r : result.identities)
-    std::printf("  %-30s %ld of %ld%s\n      %s\n", r.id.c_str(), r.held, r.cases, r.ok() ? "" : "   DOES NOT HOLD",
+    std::printf("  %-30s %ld of %ld%s\n      %s\n", r.id.c_str(), r.held, r.cases, mark(r, "   DOES NOT HOLD"),
                 r.says.c_str());
   if (!result.roundings.empty()) std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
   for (const auto& r : result.roundings)
     std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
-                r.ok() ? "" : "   ABOVE");
+                mark(r, "   ABOVE"));
   if (!result.agreements.empty()) std::printf("\nORACLES: agreement with a method that does not share the formula\n");
   print(result.agreements);
   if (!result.engines.empty()) std::printf("%sENGINES: each fast path against a plain one or another author\n", result.agreements.empty() ? "" : "\n");

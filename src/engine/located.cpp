@@ -144,7 +144,7 @@ Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe
     for (; std::min(double(row) * every, scene.until) < next && double(row) * every < scene.until; ++row) observe(double(row) * every, world.states(double(row) * every));
     if (next > scene.until) break;
     summary.interrupted = interrupted() != 0;
-    if (summary.interrupted || !summary.stopped.empty()) {
+    if (summary.interrupted || !summary.stopped.empty() || !summary.finite) {
       t_end = next;
       break;
     }

@@ -19,6 +19,7 @@ constexpr long most_impacts = 10000000;    // of one run
 }  // namespace
 
 void LocatedWorld::begin(std::size_t i, const Moment& now, State<double> s) {
+  if (!is_finite(s)) return hand_over(i, now, s, "a number left the range of double");
   for (const Plane<double>& plane : scene_.planes)
     for (const double gap : corner_gaps(shape(i), s, plane).gap)
       if (gap < -1e-9 * size(i)) return hand_over(i, now, s, "begins inside a plane");
@@ -26,6 +27,7 @@ void LocatedWorld::begin(std::size_t i, const Moment& now, State<double> s) {
     bool any = false;
     for (const Plane<double>& plane : scene_.planes) any = hit(i, s, plane) || any;
     if (!any) break;
+    if (!is_finite(s)) return hand_over(i, now, s, "a number left the range of double");
     if (round == 100) return hand_over(i, now, s, "impacts of one moment do not end");
   }
   int support = -1, supports = 0;

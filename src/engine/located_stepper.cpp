@@ -17,6 +17,7 @@ constexpr int calm_steps = 10;  // before a body flies again
 
 void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<double>& s, const char* why) {
   LocatedBody& b = bodies_[i];
+  summary_.finite = summary_.finite && is_finite(s);
   b.phase = LocatedBody::Phase::stepping;
   b.start = now;
   b.support = -1;
@@ -57,10 +58,12 @@ void LocatedWorld::step_all(double t) {
     ledger_.linear.external += h * weight;
     ledger_.angular.external += h * cross<double>(b.motion.state.p_WB, weight);
     b.motion = find_method("sheet")->step(shape(i), b.motion, {weight, zero3<double>()}, h);
+    summary_.finite = summary_.finite && is_finite(b.motion.state);
     b.start = Moment{t, 0};
     b.calm = met[i] ? 0 : b.calm + 1;
     ++summary_.steps;
   }
+  if (!summary_.finite) return;
   // who flies into one of them joins them
   for (std::size_t j = 0; j < bodies_.size(); ++j) {
     if (!bodies_[j].flight) continue;

@@ -23,6 +23,9 @@ struct Motion {
   Vec3<double> L_W = zero3<double>();
 };
 
+/// Whether every number of a state is one.
+inline bool is_finite(const State<double>& s) { return s.p_WB.allFinite() && s.R_WB.allFinite() && s.v_WB.allFinite() && s.w_WB.allFinite(); }
+
 /// The motion of a body with this state: L = I ω at its attitude.
 Motion motion_of(const Cuboid<double>& body, const State<double>& state);
 

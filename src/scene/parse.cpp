@@ -29,7 +29,7 @@ struct Refused {
 [[noreturn]] void refuse(Kind kind, const std::string& where, const std::string& what) { throw Refused{{kind, where, what}}; }
 
 void known_keys(const Json& object, const std::string& where, const std::vector<std::string>& keys) {
-  if (!object.is_object()) refuse(Kind::wrong_type, where, "must be an object {...}");
+  if (!object.is_object()) refuse(Kind::wrong_type, where.empty() ? "scene" : where, "must be an object {...}");
   for (const auto& [key, value] : object.items())
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       refuse(Kind::unknown_key, where.empty() ? "scene" : where, "has an unknown key '" + key + "'" + did_you_mean(key, keys));
@@ -42,7 +42,10 @@ double number(const Json& value, const std::string& where, double low, double hi
   if (!(x >= low && x <= high)) refuse(Kind::out_of_range, where, "is " + shown(x) + ", must be " + range);
   return x;
 }
-constexpr double anything = 1e300;
+// Every number of a scene keeps to thirty powers of ten, so that energies, momenta and their squares stay numbers.
+constexpr double most = 1e30, least = 1e-30;
+constexpr const char* any_number = "in [-1e30, 1e30]";
+constexpr const char* some = "in [1e-30, 1e30]";
 
 std::string element(const std::string& where, std::size_t i) { return where + "[" + std::to_string(i) + "]"; }
 
@@ -54,7 +57,7 @@ const Json& list(const Json& value, const std::string& where, std::size_t length
 V vector(const Json& value, const std::string& where) {
   V v;
   list(value, where, 3);
-  for (std::size_t i = 0; i < 3; ++i) v[int(i)] = number(value[i], element(where, i), -anything, anything, "any finite number");
+  for (std::size_t i = 0; i < 3; ++i) v[int(i)] = number(value[i], element(where, i), -most, most, any_number);
   return v;
 }
 std::string word(const Json& value, const std::string& where, const std::vector<std::string>& words) {
@@ -75,7 +78,7 @@ const Json& required(const Json& object, const char* key, const std::string& whe
 Mat3<double> orientation(const Json& value, const std::string& where) {
   if (value.is_array() && value.size() == 4) {
     Vec4<double> q;
-    for (std::size_t i = 0; i < 4; ++i) q[int(i)] = number(value[i], element(where, i), -anything, anything, "any finite number");
+    for (std::size_t i = 0; i < 4; ++i) q[int(i)] = number(value[i], element(where, i), -most, most, any_number);
     const double length = std::sqrt(q.dot(q));
     if (!(std::fabs(length - 1) <= 1e-9)) refuse(Kind::not_unit, where, "has length " + shown(length) + ", a quaternion must have length 1 within 1e-9");
     return rotation_of<double>(q);
@@ -97,11 +100,10 @@ T made(Outcome<T> outcome, const std::string& where) {
 
 SceneBody body(const Json& json, const std::string& where) {
   known_keys(json, where, {"size", "mass", "position", "orientation", "velocity", "spin"});
-  const V size = vector(required(json, "size", where), where + ".size");
-  const double mass = number(required(json, "mass", where), where + ".mass", -anything, anything, "> 0");
-  for (int i = 0; i < 3; ++i)
-    if (!(size[i] > 0)) refuse(Kind::not_positive, element(where + ".size", std::size_t(i)), "is " + shown(size[i]) + ", must be > 0");
-  if (!(mass > 0)) refuse(Kind::not_positive, where + ".mass", "is " + shown(mass) + ", must be > 0");
+  V size;
+  const Json& edges = list(required(json, "size", where), where + ".size", 3);
+  for (std::size_t i = 0; i < 3; ++i) size[int(i)] = number(edges[i], element(where + ".size", i), least, most, some);
+  const double mass = number(required(json, "mass", where), where + ".mass", least, most, some);
   SceneBody b{made(Cuboid<double>::make(mass, size), where), {}};
   b.start.p_WB = vector(required(json, "position", where), where + ".position");
   if (has(json, "orientation")) b.start.R_WB = orientation(json["orientation"], where + ".orientation");
@@ -111,7 +113,10 @@ SceneBody body(const Json& json, const std::string& where) {
 }
 Plane<double> plane(const Json& json, const std::string& where) {
   known_keys(json, where, {"point", "normal"});
-  return made(Plane<double>::make(vector(required(json, "point", where), where + ".point"), vector(required(json, "normal", where), where + ".normal")), where);
+  const V point = vector(required(json, "point", where), where + ".point"), normal = vector(required(json, "normal", where), where + ".normal");
+  const auto plane = Plane<double>::make(point, normal);
+  if (!plane) refuse(Kind::not_unit, where + ".normal", "has length " + shown(norm<double>(normal)) + ", must have length 1 within 1e-9");
+  return *plane;
 }
 SceneForce force(const Json& json, const std::string& where, std::size_t bodies) {
   known_keys(json, where, {"body", "force", "at", "at_axes", "from", "to"});
@@ -123,15 +128,15 @@ SceneForce force(const Json& json, const std::string& where, std::size_t bodies)
   f.force = vector(required(json, "force", where), where + ".force");
   if (has(json, "at")) f.at = vector(json["at"], where + ".at");
   if (has(json, "at_axes")) f.at_turns = word(json["at_axes"], where + ".at_axes", {"body", "world"}) == "body";
-  f.from = has(json, "from") ? number(json["from"], where + ".from", 0, anything, ">= 0 s") : 0;
-  f.to = has(json, "to") ? number(json["to"], where + ".to", f.from, anything, ">= from") : anything;
+  f.from = has(json, "from") ? number(json["from"], where + ".from", 0, most, "in [0, 1e30] s") : 0;
+  f.to = has(json, "to") ? number(json["to"], where + ".to", f.from, most, "from `from` to 1e30 s") : most;
   return f;
 }
 SceneAction action(const Json& json, const std::string& where) {
   known_keys(json, where, {"at", "do"});
   const std::vector<std::string> words{"vacuum-on", "vacuum-off", "gravity-on", "gravity-off"};
   const std::string what = word(required(json, "do", where), where + ".do", words);
-  return {number(required(json, "at", where), where + ".at", 0, anything, ">= 0 s"), SceneAction::Do(std::find(words.begin(), words.end(), what) - words.begin())};
+  return {number(required(json, "at", where), where + ".at", 0, most, "in [0, 1e30] s"), SceneAction::Do(std::find(words.begin(), words.end(), what) - words.begin())};
 }
 
 const std::vector<std::string> scene_keys{"name", "cuboids", "planes", "gravity", "restitution", "static_friction", "dynamic_friction", "friction_law",
@@ -150,8 +155,8 @@ Scene from_json(const Json& json) {
     for (std::size_t i = 0; i < list(json["planes"], "planes", 0).size(); ++i) s.planes.push_back(plane(json["planes"][i], element("planes", i)));
   if (has(json, "gravity")) s.gravity = vector(json["gravity"], "gravity");
   const auto coefficient = [&](const char* key, double high, const char* range) { return has(json, key) ? number(json[key], key, 0, high, range) : 0; };
-  const double mu_s = coefficient("static_friction", anything, ">= 0");
-  const double mu_d = has(json, "dynamic_friction") ? coefficient("dynamic_friction", anything, ">= 0") : mu_s;
+  const double mu_s = coefficient("static_friction", most, "in [0, 1e30]");
+  const double mu_d = has(json, "dynamic_friction") ? coefficient("dynamic_friction", most, "in [0, 1e30]") : mu_s;
   s.surface = made(Surface<double>::make(coefficient("restitution", 1, "in [0, 1]"), mu_s, mu_d), "");
   if (has(json, "friction_law")) s.friction_law = *friction_law_named(word(json["friction_law"], "friction_law", {"sheet", "sheet_literal", "coulomb", "stronge"}));
   if (has(json, "pair_detection")) s.pair_detection = word(json["pair_detection"], "pair_detection", {"15-axes", "handed-out"}) == "handed-out" ? PairDetection::handed_out : PairDetection::axes;
@@ -163,9 +168,9 @@ Scene from_json(const Json& json) {
     if (!json["method"].is_string()) refuse(Kind::wrong_type, "method", "must be a text in quotes");
     s.method = json["method"];
   }
-  if (has(json, "dt")) s.dt = number(json["dt"], "dt", -anything, anything, "> 0 s");
-  if (has(json, "until")) s.until = number(json["until"], "until", -anything, anything, ">= 0 s");
-  if (has(json, "every")) s.every = number(json["every"], "every", 0, anything, ">= 0 s (0: each step)");
+  if (has(json, "dt")) s.dt = number(json["dt"], "dt", least, most, "in [1e-30, 1e30] s");
+  if (has(json, "until")) s.until = number(json["until"], "until", 0, most, "in [0, 1e30] s");
+  if (has(json, "every")) s.every = number(json["every"], "every", 0, most, "0 (each step) or at most 1e30 s");
   if (has(json, "seed")) {
     if (!json["seed"].is_number_unsigned()) refuse(Kind::wrong_type, "seed", "must be a whole number >= 0");
     s.seed = json["seed"].get<std::uint64_t>();
@@ -193,11 +198,12 @@ Outcome<bool> check_scene(const Scene& s) {
   std::vector<std::string> names;
   for (const Method& m : methods()) names.push_back(std::string(m.name));
   names.push_back("located");
-  if (find_method(s.method) == nullptr && s.method != "located") return Fault{Kind::unsupported, "method", "there is no method '" + s.method + "'" + did_you_mean(s.method, names)};
-  if (!(s.dt > 0) || !std::isfinite(s.dt)) return Fault{Kind::not_positive, "dt", "is " + shown(s.dt) + ", must be > 0 s"};
-  if (!(s.until >= 0) || !std::isfinite(s.until)) return Fault{Kind::negative, "until", "is " + shown(s.until) + ", must be >= 0 s"};
+  if (find_method(s.method) == nullptr && s.method != "located") return Fault{Kind::unsupported, "method", "is none of the methods: '" + s.method + "'" + did_you_mean(s.method, names)};
+  if (!(s.dt >= least && s.dt <= most)) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", must be in [1e-30, 1e30] s"};
+  if (!(s.until >= 0 && s.until <= most)) return Fault{Kind::out_of_range, "until", "is " + shown(s.until) + ", must be in [0, 1e30] s"};
   if (s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};
-  if (!(s.every >= 0) || !std::isfinite(s.every)) return Fault{Kind::negative, "every", "is " + shown(s.every) + ", must be >= 0 s (0: each step)"};
+  if (!(s.every >= 0 && s.every <= most)) return Fault{Kind::out_of_range, "every", "is " + shown(s.every) + ", must be 0 (each step) or at most 1e30 s"};
+  if (s.every > 0 && s.until / s.every > 1e12) return Fault{Kind::out_of_range, "every", "is " + shown(s.every) + ", gives more than 1e12 rows until " + shown(s.until)};
   for (std::size_t i = 1; i < s.actions.size(); ++i)
     if (s.actions[i].at < s.actions[i - 1].at) return Fault{Kind::out_of_range, element("actions", i) + ".at", "is " + shown(s.actions[i].at) + ", must not be before the action above it"};
   const bool cone = s.friction_law == FrictionLaw::coulomb || s.friction_law == FrictionLaw::stronge;
@@ -207,6 +213,7 @@ Outcome<bool> check_scene(const Scene& s) {
 }
 
 Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {
+  if (text.empty()) return Fault{Kind::malformed, name + ":", "is empty, must be a scene in JSON"};
   try {
     Scene scene = from_json(parsed(text));
     if (const auto ok = check_scene(scene); !ok) throw Refused{ok.fault()};
@@ -216,6 +223,8 @@ Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {
     Fault fault = refused.fault;
     fault.where = name + ": " + fault.where;
     return fault;
+  } catch (const Json::out_of_range&) {
+    return Fault{Kind::out_of_range, name + ":", "has a number that no double holds; numbers are in [-1e30, 1e30]"};
   } catch (const Json::exception& error) {
     const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
     return Fault{Kind::malformed, name + ":", "is no JSON" + (what.find("at line") == std::string::npos ? std::string() : ": " + what.substr(what.find("] ") + 2, 160))};

@@ -9,8 +9,8 @@ RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObs
   if (!skip) world.skip_nothing();
   RunSummary summary;
   observe(0, world.states());
-  const long steps = std::max(0L, long(std::ceil(scene.until / scene.dt - 1e-9)));
-  double next_output = scene.every;
+  const long steps = scene.until > 0 ? std::max(1L, long(std::ceil(scene.until / scene.dt - 1e-9))) : 0;
+  double rows = 0;  // output times passed, of multiples of `every`
   for (long k = 0; k < steps; ++k) {
     const double t = double(k) * scene.dt;  // not summed: no rounding piles up
     const bool last = k + 1 == steps;
@@ -19,10 +19,11 @@ RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObs
     ++summary.steps;
     summary.t_end = t_next;
     summary.finite = world.finite();
-    const bool due = scene.every == 0 || t_next >= next_output - 1e-9 * scene.dt;
+    const double passed = scene.every > 0 ? std::floor((t_next + 1e-9 * scene.dt) / scene.every) : rows + 1;
+    const bool due = passed > rows;
+    rows = passed;
     const bool stop = last || !summary.finite || interrupted() != 0;
     if (due || stop) observe(t_next, world.states());
-    while (scene.every > 0 && next_output <= t_next + 1e-9 * scene.dt) next_output += scene.every;
     if (stop && !last) {
       summary.interrupted = interrupted() != 0;
       break;

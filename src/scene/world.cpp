@@ -44,7 +44,7 @@ std::vector<State<double>> World::states() const {
 }
 bool World::finite() const {
   for (const Motion& m : motions_)
-    if (!m.state.p_WB.allFinite() || !m.state.R_WB.allFinite() || !m.state.v_WB.allFinite() || !m.state.w_WB.allFinite()) return false;
+    if (!is_finite(m.state)) return false;
   return true;
 }
 // Key presses whose time has come.

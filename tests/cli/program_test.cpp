@@ -162,6 +162,27 @@ TEST_F(Program, StudiesWriteNothingWhereTheyCannotAndEverythingWhereTheyCan) {
   EXPECT_TRUE(contains(*read_file(dir / "study" / "README.md"), "Made by `rigor study convergence --problem short-A --method sheet,rk4 --rungs 4`"));
 }
 
+TEST_F(Program, SaysInOneLineWhichFlagItDoesNotKnow) {
+  const Ran ran = rigor_says("run drop --mthod rk4");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.text, "rigor run: there is no option '--mthod' (did you mean '--method'?); 'rigor run --help' shows what it takes\n");
+}
+
+TEST_F(Program, OutputThatDoesNotArriveIsNoSuccess) {
+  const Ran ran = rigor_says("run drop --until 0.1 --json >/dev/full");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_TRUE(contains(ran.text, "standard output cannot be written")) << ran.text;
+}
+
+TEST_F(Program, LooksAtEveryFlagBeforeItWritesAnything) {
+  const Ran ran = rigor_says("run drop --beside rk5 --out " + (dir / "out").string());
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_TRUE(contains(ran.text, "--beside is none of the methods: 'rk5'")) << ran.text;
+  EXPECT_FALSE(fs::exists(dir / "out"));
+  EXPECT_TRUE(contains(rigor_says("run drop --beside rk4").text, "--beside is shown in replay.html, which needs --out"));
+  EXPECT_EQ(rigor_says("run drop --seed -1").status, 2);
+}
+
 TEST_F(Program, PrintsJsonThatParses) {
   for (const char* arguments : {"explain --json", "explain impulse.normal --json", "verify --id impulse.normal --cases 50 --json", "run drop --until 0.1 --json",
                                 "study convergence --problem short-A --method sheet --rungs 3 --json", "audit --seeds 1 --cases 2 --json"})

@@ -53,6 +53,16 @@ TEST(LocatedStress, FastSpins) {
     answers(s);
   }
 }
+// Beyond what the stepper can follow the run ends at the first number that is none, and says so.
+TEST(LocatedStress, WhatLeavesTheRangeOfDoubleEndsTheRun) {
+  State<double> start = tumbling(3);
+  start.w_WB = V(1e12, 0, 1e12);
+  Scene s = floor_scene(*Cuboid<double>::make(1, {1, 2, 3}), start, 0.5, 0);
+  const auto run = simulate_located(s, [](double, const auto&) {});
+  ASSERT_TRUE(run);
+  EXPECT_FALSE(run->finite);
+  EXPECT_LT(run->t_end, s.until);
+}
 // case S-02, BB-15: a thin plate meets the plane, and another, at its time whatever its speed.
 TEST(LocatedStress, PlatesAndNeedles) {
   for (const V& size : {V(1, 1e-6, 1), V(1e-3, 1e-3, 2), V(1e-8, 1e-8, 1e-8)}) answers(floor_scene(*Cuboid<double>::make(2, size), tumbling(1.5), 0.5, 0.3));

@@ -40,38 +40,40 @@ struct Bad {
 };
 TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
   const Bad table[] = {
-      {"/cuboids/0/mass", "0", "f.json: cuboids[0].mass is 0, must be > 0"},
-      {"/cuboids/0/mass", "-1", "f.json: cuboids[0].mass is -1, must be > 0"},
-      {"/cuboids/0/mass", "\"2\"", "f.json: cuboids[0].mass must be a number, > 0"},
-      {"/cuboids/0/size/1", "-2", "f.json: cuboids[0].size[1] is -2, must be > 0"},
+      {"/cuboids/0/mass", "0", "f.json: cuboids[0].mass is 0, must be in [1e-30, 1e30]"},
+      {"/cuboids/0/mass", "-1", "f.json: cuboids[0].mass is -1, must be in [1e-30, 1e30]"},
+      {"/cuboids/0/mass", "\"2\"", "f.json: cuboids[0].mass must be a number, in [1e-30, 1e30]"},
+      {"/cuboids/0/size/1", "-2", "f.json: cuboids[0].size[1] is -2, must be in [1e-30, 1e30]"},
       {"/cuboids/0/size", "[1, 2]", "f.json: cuboids[0].size must be a list of 3 numbers"},
-      {"/cuboids/0/size", "[1e200, 1e200, 1e200]", "f.json: cuboids[0].size gives a moment of inertia outside the range of the scalar"},
-      {"/cuboids/0/size", "[1e-300, 1e-300, 1e-300]", "f.json: cuboids[0].size gives a moment of inertia outside the range of the scalar"},
-      {"/cuboids/0/position/0", "null", "f.json: cuboids[0].position[0] must be a number, any finite number"},
+      {"/cuboids/0/size", "[1e200, 1e200, 1e200]", "f.json: cuboids[0].size[0] is 1e+200, must be in [1e-30, 1e30]"},
+      {"/cuboids/0/size/2", "5e-324", "f.json: cuboids[0].size[2] is 5e-324, must be in [1e-30, 1e30]"},
+      {"/cuboids/0/position/0", "null", "f.json: cuboids[0].position[0] must be a number, in [-1e30, 1e30]"},
       {"/cuboids/0/orientation", "[1, 1, 0, 0]", "f.json: cuboids[0].orientation has length 1.4142135623730951, a quaternion must have length 1 within 1e-9"},
       {"/cuboids/0/orientation", "[[1, 0, 0], [0, 1, 0], [0, 0, 2]]", "f.json: cuboids[0].orientation is off orthonormal by 3, at most 1e-9 is allowed"},
       {"/cuboids/0/orientation", "[[1, 0, 0], [0, 1, 0], [0, 0, -1]]", "f.json: cuboids[0].orientation is a reflection (determinant -1), must be a rotation"},
       {"/cuboids/0/color", "1", "f.json: cuboids[0] has an unknown key 'color'"},
       {"/cuboids/0/masss", "1", "f.json: cuboids[0] has an unknown key 'masss' (did you mean 'mass'?)"},
-      {"/planes/0/normal", "[0, 0, 0]", "f.json: planes[0].normal must have length 1 within 1e-9"},
-      {"/planes/0/normal", "[0, 2, 0]", "f.json: planes[0].normal must have length 1 within 1e-9"},
+      {"/planes/0/normal", "[0, 0, 0]", "f.json: planes[0].normal has length 0, must have length 1 within 1e-9"},
+      {"/planes/0/normal", "[0, 2, 0]", "f.json: planes[0].normal has length 2, must have length 1 within 1e-9"},
       {"/restitution", "1.0000001", "f.json: restitution is 1.0000001, must be in [0, 1]"},
       {"/restitution", "-1e-9", "f.json: restitution is -1e-09, must be in [0, 1]"},
-      {"/static_friction", "-0.1", "f.json: static_friction is -0.1, must be >= 0"},
-      {"/dynamic_friction", "-0.1", "f.json: dynamic_friction is -0.1, must be >= 0"},
+      {"/static_friction", "-0.1", "f.json: static_friction is -0.1, must be in [0, 1e30]"},
+      {"/dynamic_friction", "-0.1", "f.json: dynamic_friction is -0.1, must be in [0, 1e30]"},
       {"/friction_law", "\"coulom\"", "f.json: friction_law must be one of sheet, sheet_literal, coulomb, stronge (did you mean 'coulomb'?)"},
       {"/pair_detection", "3", "f.json: pair_detection must be one of 15-axes, handed-out"},
       {"/forces/0/body", "1", "f.json: forces[0].body is 1, must be an index in [0, 1)"},
       {"/forces/0/body", "0.5", "f.json: forces[0].body is 0.5, must be an index in [0, 1)"},
-      {"/forces/0/to", "0.5", "f.json: forces[0].to is 0.5, must be >= from"},
+      {"/forces/0/to", "0.5", "f.json: forces[0].to is 0.5, must be from `from` to 1e30 s"},
       {"/actions/0/do", "\"vacuum\"", "f.json: actions[0].do must be one of vacuum-on, vacuum-off, gravity-on, gravity-off"},
       {"/actions/1/at", "1", "f.json: actions[1].at is 1, must not be before the action above it"},
-      {"/method", "\"shet\"", "f.json: method there is no method 'shet' (did you mean 'sheet'?)"},
-      {"/dt", "0", "f.json: dt is 0, must be > 0 s"},
-      {"/dt", "-0.01", "f.json: dt is -0.01, must be > 0 s"},
-      {"/dt", "1e-300", "f.json: dt is 1e-300, gives more than 1e12 steps until 10"},
-      {"/until", "-1", "f.json: until is -1, must be >= 0 s"},
-      {"/every", "-1", "f.json: every is -1, must be >= 0 s (0: each step)"},
+      {"/method", "\"shet\"", "f.json: method is none of the methods: 'shet' (did you mean 'sheet'?)"},
+      {"/dt", "0", "f.json: dt is 0, must be in [1e-30, 1e30] s"},
+      {"/dt", "-0.01", "f.json: dt is -0.01, must be in [1e-30, 1e30] s"},
+      {"/dt", "1e-20", "f.json: dt is 1e-20, gives more than 1e12 steps until 10"},
+      {"/until", "-1", "f.json: until is -1, must be in [0, 1e30] s"},
+      {"/every", "-1", "f.json: every is -1, must be 0 (each step) or at most 1e30 s"},
+      {"/every", "1e-20", "f.json: every is 1e-20, gives more than 1e12 rows until 10"},
+      {"/gravity/1", "-1e155", "f.json: gravity[1] is -1e+155, must be in [-1e30, 1e30]"},
       {"/seed", "-1", "f.json: seed must be a whole number >= 0"},
       {"/restituton", "1", "f.json: scene has an unknown key 'restituton' (did you mean 'restitution'?)"},
       {"/cuboids", "3", "f.json: cuboids must be a list [...]"},
@@ -88,6 +90,9 @@ TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
 TEST(ParseScene, RefusesWhatIsNoScene) {
   for (const char* text : {"", "{", "[]", "nonsense", "{\"cuboids\": [NaN]}", "\xff\xfe\x00\x01", "{\"cuboids\": [], \"dt\": 1e999}"})
     EXPECT_FALSE(parse_scene(text, "f.json")) << text;
+  EXPECT_EQ(parse_scene("", "f.json").fault().text(), "f.json: is empty, must be a scene in JSON");
+  EXPECT_EQ(parse_scene("null", "f.json").fault().text(), "f.json: scene must be an object {...}");
+  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1e999}", "f.json").fault().text(), "f.json: has a number that no double holds; numbers are in [-1e30, 1e30]");
   EXPECT_EQ(parse_scene("{\"planes\": []}", "f.json").fault().text(), "f.json: cuboids is missing");
   EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1, \"dt\": 2}", "f.json").fault().text(), "f.json: scene has the key 'dt' twice");
   EXPECT_EQ(parse_scene(std::string(100000, '['), "f.json").fault().text(), "f.json: scene nests deeper than 16 levels");

@@ -31,6 +31,15 @@ Scene thrown(double dt, double until) {
 }
 
 // cases FB-01, FB-02, D-02: after n steps the position leads the parabola by exactly g t h/2.
+// A step far longer than the run is shortened to it: one step, to its end.
+TEST(Simulate, EndsAtUntilHoweverLongTheStep) {
+  Scene s = builtin_scene("drop", 1);
+  s.until = 0.1, s.dt = 1e10, s.every = 0;
+  std::vector<double> times;
+  EXPECT_EQ(simulate(s, [&](double t, const auto&) { times.push_back(t); }).steps, 1);
+  EXPECT_EQ(times, (std::vector<double>{0, 0.1}));
+}
+
 TEST(Simulate, LeadsTheParabolaByHalfGTH) {
   const Ended end = run(thrown(0.01, 2));
   const double t = 2, h = 0.01;
