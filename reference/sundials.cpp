@@ -114,7 +114,18 @@ class CvodeRun {
 
 ARKODE_ERKTableID id_of(ErkTable table) {
   switch (table) {
+    case ErkTable::heun_euler_2_1_2: return ARKODE_HEUN_EULER_2_1_2;
+    case ErkTable::bogacki_shampine_4_2_3: return ARKODE_BOGACKI_SHAMPINE_4_2_3;
+    case ErkTable::ark324_4_2_3: return ARKODE_ARK324L2SA_ERK_4_2_3;
+    case ErkTable::zonneveld_5_3_4: return ARKODE_ZONNEVELD_5_3_4;
+    case ErkTable::ark436_6_3_4: return ARKODE_ARK436L2SA_ERK_6_3_4;
+    case ErkTable::ark437_7_3_4: return ARKODE_ARK437L2SA_ERK_7_3_4;
+    case ErkTable::sayfy_aburub_6_3_4: return ARKODE_SAYFY_ABURUB_6_3_4;
+    case ErkTable::cash_karp_6_4_5: return ARKODE_CASH_KARP_6_4_5;
+    case ErkTable::fehlberg_6_4_5: return ARKODE_FEHLBERG_6_4_5;
     case ErkTable::dormand_prince_7_4_5: return ARKODE_DORMAND_PRINCE_7_4_5;
+    case ErkTable::ark548_8_4_5: return ARKODE_ARK548L2SA_ERK_8_4_5;
+    case ErkTable::ark548b_8_4_5: return ARKODE_ARK548L2SAb_ERK_8_4_5;
     case ErkTable::verner_8_5_6: return ARKODE_VERNER_8_5_6;
     case ErkTable::fehlberg_13_7_8: return ARKODE_FEHLBERG_13_7_8;
   }

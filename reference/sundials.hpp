@@ -26,7 +26,10 @@ Outcome<Solution> cvode(const Rhs& f, std::vector<double> y0, double t0, double 
 
 /// ARKODE through ARKStep, explicit. Never through ERKStep: in 6.4.1 it reuses the last stage as the first of the next
 /// step whenever c_s = 1, which costs the order (tests/reference shows it).
-enum class ErkTable { dormand_prince_7_4_5, verner_8_5_6, fehlberg_13_7_8 };
+enum class ErkTable {
+  heun_euler_2_1_2, bogacki_shampine_4_2_3, ark324_4_2_3, zonneveld_5_3_4, ark436_6_3_4, ark437_7_3_4, sayfy_aburub_6_3_4, cash_karp_6_4_5,
+  fehlberg_6_4_5, dormand_prince_7_4_5, ark548_8_4_5, ark548b_8_4_5, verner_8_5_6, fehlberg_13_7_8,
+};
 Outcome<Solution> arkstep(const Rhs& f, std::vector<double> y0, double t0, double t1, double tolerance, ErkTable table = ErkTable::fehlberg_13_7_8);
 /// The same with `steps` equal steps, for order tests.
 Outcome<Solution> arkstep_fixed(const Rhs& f, std::vector<double> y0, double t0, double t1, long steps, ErkTable table);
