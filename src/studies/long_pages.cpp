@@ -96,7 +96,8 @@ StudyPage contact_page(const std::vector<Row>& rows) {
         if (n > 0) series.x.push_back(1 / double(n)), series.y.push_back(worst);
       }
       if (series.x.size() > 1) {
-        t.caption += "; " + method.name + " is of order " + brief(fit_order(series.x, series.y).order, "%.2f");
+        const double order = fit_order(series.x, series.y).order;
+        t.caption += "; " + method.name + (std::isnan(order) ? " has no order: too few errors below 0.1" : " is of order " + brief(order, "%.2f"));
         plot.series.push_back(series);
       }
       if (known->sweep.size() > 1) {
