@@ -19,11 +19,6 @@ void put(Field& field, std::size_t i, const Vector& value) {
   for (int k = 0; k < 3; ++k) field[k][i % lanes] = value[k];
 }
 
-Instructions widest() {
-  static const Instructions found = supported_instructions().back();
-  return found;
-}
-
 using Kernel = void (*)(BatchBlock*, long, double, long);
 Kernel kernel(Instructions instructions) {
 #ifdef __x86_64__
@@ -35,20 +30,6 @@ Kernel kernel(Instructions instructions) {
 }
 
 }  // namespace
-
-const char* name(Instructions instructions) {
-  constexpr const char* names[] = {"baseline", "avx2", "avx512"};
-  return names[int(instructions)];
-}
-
-std::vector<Instructions> supported_instructions() {
-  std::vector<Instructions> found{Instructions::baseline};
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) found.push_back(Instructions::avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) found.push_back(Instructions::avx512);
-#endif
-  return found;
-}
 
 Outcome<Batch> Batch::make(const std::vector<Cuboid<double>>& bodies, const std::vector<Motion>& motions) {
   if (bodies.size() != motions.size())
@@ -88,7 +69,7 @@ Motion Batch::motion(std::size_t i) const { return {{p_WB(i), R_WB(i), v_WB(i), 
 
 void Batch::step(double h, long steps, unsigned threads, std::optional<Instructions> instructions) {
   promise(steps >= 0 && threads >= 1, "a batch makes steps >= 0 steps on threads >= 1 threads");
-  const Kernel advance = kernel(instructions.value_or(widest()));
+  const Kernel advance = kernel(instructions.value_or(widest_instructions()));
   const long count = long(blocks_.size());
   // Which thread steps a block, and in which company, changes nothing: no lane reads another.
   const auto run = [this, advance, h, steps](long first, long last) {

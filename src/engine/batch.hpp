@@ -2,17 +2,11 @@
 #include <optional>
 #include <rigor/base/outcome.hpp>
 #include <rigor/engine/batch_kernel.hpp>
+#include <rigor/engine/instructions.hpp>
 #include <rigor/integrators/method.hpp>
 #include <vector>
 
 namespace rigor {
-
-/// The instructions a batch steps with. The bits are the same with each.
-enum class Instructions { baseline, avx2, avx512 };
-
-const char* name(Instructions instructions);
-/// Those this processor has, the widest last; never empty.
-std::vector<Instructions> supported_instructions();
 
 /// Many bodies that do not touch, stepped together by `euler-momentum` (integrators/euler.hpp): lane by lane the bits
 /// of the plain method, on every instruction set and for any number of threads.

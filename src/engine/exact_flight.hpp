@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <rigor/base/outcome.hpp>
+#include <rigor/engine/flight_lane.hpp>
 #include <rigor/linalg/types.hpp>
 
 namespace rigor {
@@ -32,21 +33,11 @@ class ExactFlight {
   /// t in s, any sign, finite.
   Attitude at(double t) const;
 
-  /// Constants of the evaluator, one double each, in evaluation order. Public for the batch, which keeps many
-  /// flights as arrays of these.
+  /// Constants of the evaluator. Public for FlightBatch, which keeps many flights as arrays of these.
   struct Tuned {
     enum class Kind { pure_rotation, theta, theta_prime } kind = Kind::pure_rotation;
     std::array<int, 3> axis{0, 1, 2};
-    std::array<double, 3> sign{1, 1, 1};
-    double time_scale = 1;                   // power of two: evaluator time = time_scale · t
-    double n0 = 0, nu_hi = 0, nu_lo = 0;     // half periods
-    double w_hi = 0, w_lo = 0, period_hi = 0, period_lo = 0, u0 = 0, omega = 0;  // theta_prime reduction
-    double rate_hi = 0, rate_lo = 0, jump_hi = 0, jump_lo = 0;                   // precession, in half turns
-    double y_scale = 1;
-    std::array<double, 4> sn{}, cn{}, dn{}, denominator{}, arg_x{}, arg_y{};     // cubics in y
-    double rho = 0, cos_tilt = 0, sin_tilt = 0;
-    std::array<double, 3> L{};               // amplitudes in body order of `axis`, with sign
-    std::array<double, 9> C{};               // by rows
+    detail::FlightNumbers<double> numbers{};
     Vec3<double> w_B = zero3<double>(), L_B = zero3<double>();  // pure rotation
     Mat3<double> R0 = identity3<double>();
   };

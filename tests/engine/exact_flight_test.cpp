@@ -108,6 +108,20 @@ TEST(ExactFlight, HandlesEveryDegenerateMotion) {
   }
 }
 
+// On the separatrix itself the spin tends to the middle axis, w_2 to |L|/I_2, as sech(t times a rate near 1): after 100 s
+// within e^-50 of it, and still there for ever.
+TEST(ExactFlight, SettlesOnTheUnstableAxisFromTheSeparatrix) {
+  const V I(1, 3, 6), w(1.5, 0.7, 0.5);
+  const auto flight = ExactFlight::make(I, w, generic);
+  const double L = norm<double>(V(I.cwiseProduct(w)));
+  for (const double t : {100.0, 1e3, -1e3, 1e6, 1e9}) {
+    const Attitude a = flight->at(t);
+    EXPECT_NEAR(std::fabs(a.L_B[1]), L, 1e-14 * L) << t;
+    EXPECT_LT(orthonormality_defect<double>(a.R_WB), 1e-14) << t;
+    EXPECT_LT(norm<double>(V(apply<double>(a.R_WB, a.L_B) - apply<double>(generic, V(I.cwiseProduct(w))))), 1e-13 * L) << t;
+  }
+}
+
 TEST(ExactFlight, DoesNotCareForScale) {
   const V w = spins[0];
   for (const double scale : {1e-160, 1e-100, 1e-8, 1e8, 1e100, 1e150}) {
