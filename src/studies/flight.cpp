@@ -1,6 +1,7 @@
 #include <cmath>
 #include <reference/sundials.hpp>
 #include <rigor/engine/exact_flight.hpp>
+#include <rigor/integrators/dormand_prince.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/convergence.hpp>
 #include <rigor/studies/flight.hpp>
@@ -40,6 +41,11 @@ Outcome<Ended> sundials(const Problem& p, const std::string& name, double tolera
   const std::vector<double>& y = solved->y;
   return Ended{fallen(p, p.start.R_WB * rotation_of<double>(Vec4<double>(y[3], y[4], y[5], y[6])), V(y[0], y[1], y[2])), double(solved->evaluations)};
 }
+Outcome<Ended> dormand_prince(const Problem& p, double tolerance) {
+  const auto flown = fly_dormand_prince(p.body, p.start, [&](double t, const State<double>& s) { return p.load_at(t, s); }, 0, p.until, tolerance);
+  if (!flown) return flown.fault();
+  return Ended{flown->end, double(flown->evaluations)};
+}
 
 void put_errors(Row& row, const Problem& problem, const Ended& end) {
   const Errors e = errors_of(problem, end.state);
@@ -70,6 +76,7 @@ Row& fail(Row& row, const std::string& why) {
 const std::vector<OtherWay>& other_ways() {
   static const std::vector<OtherWay> all{{"exact", "ExactFlight, extended constants: set-up and one evaluation", false},
                                          {"exact-plain", "ExactFlight, constants in double: set-up and one evaluation", false},
+                                         {"dormand-prince-adaptive", "Dormand and Prince 5(4) with error control", true},
                                          {"cvode-adams", "SUNDIALS CVODE, Adams, rtol = atol", true},
                                          {"cvode-bdf", "SUNDIALS CVODE, BDF, rtol = atol", true},
                                          {"arkode-fehlberg8", "SUNDIALS ARKStep, Fehlberg 7(8), rtol = atol", true}};
@@ -100,10 +107,12 @@ Row fly(const Cell& cell, Student* student) {
     return row;
   }
   const OtherWay* way = find_other_way(cell.method);
-  if (way != nullptr && !problem.falls) return fail(row, "knows no torque");
+  const bool controlled = way != nullptr && way->name == "dormand-prince-adaptive";
+  if (way != nullptr && !controlled && !problem.falls) return fail(row, "knows no torque");
   const Method* method = find_method(cell.method);
   const auto once = [&]() -> Outcome<Ended> {
     if (way == nullptr) return Ended{integrate(problem, *method, cell.steps), double(cell.steps) * method->evaluations};
+    if (controlled) return dormand_prince(problem, cell.tolerance);
     if (way->adaptive) return sundials(problem, way->name, cell.tolerance);
     return exact(problem, way->name == "exact" ? ExactFlight::Precision::extended : ExactFlight::Precision::plain);
   };

@@ -6,7 +6,7 @@
 namespace rigor::studies {
 
 /// Ways to fly that are not fixed-step methods of ours: "exact" (closed form, set-up and one evaluation), "exact-plain" (the
-/// same with constants in double), "cvode-adams", "cvode-bdf" and "arkode-fehlberg8" (SUNDIALS, by tolerance).
+/// same with constants in double), "dormand-prince-adaptive" (ours, by tolerance), "cvode-adams", "cvode-bdf" and "arkode-fehlberg8" (SUNDIALS, by tolerance).
 struct OtherWay {
   std::string name;
   std::string says;

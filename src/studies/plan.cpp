@@ -63,7 +63,7 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
   for (const OtherWay& way : other_ways()) known.push_back(way.name);
   if (const auto fault = unknown(r.methods, known, "--method", "method")) return *fault;
   Names standard = ours;
-  if (timed) standard.insert(standard.end(), {"exact", "exact-plain", "cvode-adams", "arkode-fehlberg8"});
+  if (timed) standard.insert(standard.end(), {"exact", "exact-plain", "dormand-prince-adaptive", "cvode-adams", "arkode-fehlberg8"});
   std::vector<PeerVariant> variants;
   for (const std::string& peer : r.peers) {
     const auto found = peer_variants(peer);
