@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <rigor/grader/build.hpp>
 #include <rigor/grader/scenario.hpp>
@@ -75,6 +76,13 @@ bool usable(const Check& check, const Scenario& scenario);
 bool admitted(const Check& check, const Scenario& scenario);
 /// Case `number` of a check under a seed: always the same inputs. Every admitted scenario is sound.
 Scenario draw_case(const Check& check, std::uint64_t seed, int number);
+
+/// What update.convergence sees: errors of position, velocity, spin and rotation, parts of their scales, for each step.
+struct Convergence {
+  std::array<double, 4> h;
+  std::array<std::array<double, 4>, 4> error;
+};
+Convergence convergence(const Scenario& scenario, const std::vector<Reply>& replies);
 
 // The parts, one file each.
 std::vector<Check> inertia_checks();

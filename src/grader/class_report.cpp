@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/grader/class_run.hpp>
+#include <rigor/grader/misconceptions.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
 
@@ -37,28 +38,59 @@ std::vector<std::pair<std::string, int>> most_frequent(const Map& counts) {
 
 std::string histogram(const std::vector<ClassRow>& rows) {
   report::Bars bars{"Scores of the class", "percent of the points", "students", {}, std::vector<double>(11, 0)};
-  for (int k = 0; k < 10; ++k) bars.labels.push_back(std::to_string(10 * k) + "-");
+  for (int k = 0; k < 10; ++k) bars.labels.push_back(std::to_string(10 * k) + "-" + std::to_string(10 * k + 9));
   bars.labels.push_back("100");
   for (const ClassRow& r : rows)
     if (r.trouble.empty() && r.max_score > 0) ++bars.values[std::size_t(std::clamp(int(std::floor(10 * r.score / r.max_score)), 0, 10))];
   return report::figure(bars);
 }
 
-// Students whose failures have the same numbers to the last digit.
-std::string same_numbers(const std::vector<ClassRow>& rows) {
-  std::map<std::string, std::vector<std::string>> groups;
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// Students who failed the same checks, and which of them with the same numbers to the last digit.
+std::string same_failures(const std::vector<ClassRow>& rows) {
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> groups;  // failed checks, then numbers
   for (const ClassRow& r : rows)
-    if (!r.fingerprint.empty()) groups[r.fingerprint].push_back(r.entry.student);
+    if (!r.fingerprint.empty()) groups[listed(failed_checks(r))][r.fingerprint].push_back(r.entry.student);
   std::vector<std::vector<std::string>> table;
-  for (const auto& [print, students] : groups) {
-    if (students.size() < 2) continue;
-    std::string names;
-    for (const std::string& s : students) names += (names.empty() ? "" : ", ") + s;
-    table.push_back({std::to_string(students.size()), names});
+  for (const auto& [failed, prints] : groups) {
+    std::vector<std::string> everybody, alike;
+    for (const auto& [print, students] : prints) {
+      everybody.insert(everybody.end(), students.begin(), students.end());
+      if (students.size() > 1) alike.push_back(listed(students));
+    }
+    if (everybody.size() > 1) table.push_back({std::to_string(everybody.size()), listed(everybody), failed, alike.empty() ? "none" : listed(alike)});
   }
-  if (table.empty()) return "<p>None.</p>";
-  return report::table({"students", "who"}, table, {0}) +
-         "<p class=\"soft\">The same wrong numbers to the last digit: two people who make one simple mistake share them too. Right code always has the same numbers; it is no evidence of anything.</p>";
+  if (table.empty()) return "<p>No two students failed the same checks.</p>";
+  return report::table({"students", "who", "failed", "with the same numbers"}, table, {0}, "Students who failed the same checks") +
+         "<p class=\"soft\">The same wrong numbers to the last digit are a reason to look, no evidence: two people who make one simple mistake share them. Right code always has "
+         "the same numbers; it is never listed here.</p>";
+}
+
+// What was counted, what it means, and a bar: most frequent first.
+std::string counted(const std::map<std::string, int>& counts, const std::string& what, const std::function<std::string(const std::string&)>& says) {
+  if (counts.empty()) return "<p>None.</p>";
+  const auto list = most_frequent(counts);
+  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + what + ", by number of students\"><table><thead><tr><th scope=\"col\">" + what +
+                     "</th><th scope=\"col\">it says</th><th scope=\"col\" class=\"n\">students</th><th scope=\"col\" aria-hidden=\"true\"></th></tr></thead><tbody>\n";
+  for (const auto& [id, n] : list)
+    html += "<tr><td>" + escape(id) + "</td><td>" + escape(says(id)) + "</td><td class=\"n\">" + std::to_string(n) + "</td><td class=\"bar\" aria-hidden=\"true\"><i style=\"width:" +
+            brief(100.0 * n / list.front().second) + "%\"></i></td></tr>\n";
+  return html + "</tbody></table></div>\n";
+}
+std::string check_says(const std::string& id) { return find_check(id) == nullptr ? "" : find_check(id)->says; }
+std::string mistake_says(const std::string& ids) {
+  std::string text;
+  for (std::size_t at = 0; at <= ids.size();) {
+    const std::size_t end = std::min(ids.find('+', at), ids.size());
+    if (const Misconception* m = find_misconception(ids.substr(at, end - at))) text += (text.empty() ? "" : "; ") + m->text;
+    at = end + 1;
+  }
+  return text.empty() ? "a simple relation to the right numbers; see the reports" : text;
 }
 
 }  // namespace
@@ -132,20 +164,15 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
   for (const double s : scores) sum += s;
   if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(sum / double(scores.size())) + ", median " + brief(scores[scores.size() / 2]) + " points.";
   page.body = histogram(rows);
-  if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble);
+  if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble, {}, "Students who could not be graded");
   if (!changed.empty()) {
     std::vector<std::vector<std::string>> lines;
     for (const Change& c : changed) lines.push_back({c.student, std::isnan(c.before) ? "none" : brief(c.before), std::isnan(c.after) ? "none" : brief(c.after), c.why});
-    page.body += "<h2>Changed since the earlier run</h2>" + report::table({"student", "before", "after", "why"}, lines, {1, 2});
+    page.body += "<h2>Changed since the earlier run</h2>" + report::table({"student", "before", "after", "why"}, lines, {1, 2}, "Points before and after");
   }
-  const auto counted = [](const auto& counts) {
-    std::vector<std::vector<std::string>> lines;
-    for (const auto& [id, n] : most_frequent(counts)) lines.push_back({id, std::to_string(n)});
-    return lines;
-  };
-  page.body += "<h2>Most failed checks</h2>" + report::table({"check", "students"}, counted(failures), {1});
-  page.body += "<h2>Misconceptions</h2>" + report::table({"named", "students"}, counted(named), {1});
-  page.body += "<h2>The same wrong numbers</h2>" + same_numbers(rows);
+  page.body += "<h2>Most failed checks</h2>" + counted(failures, "check", check_says);
+  page.body += "<h2>Misconceptions</h2>" + counted(named, "named", mistake_says);
+  page.body += "<h2>The same failures</h2>" + same_failures(rows);
   const auto pairs = unfair(rows);
   page.body += "<h2>Fairness</h2><p>" + (pairs.empty() ? "Nobody who failed everything another failed, and more, has more points than the other."
                                                        : escape(pairs.front().first + " failed more than " + pairs.front().second + " and has more points: " + std::to_string(pairs.size()) + " such pairs")) + "</p>";

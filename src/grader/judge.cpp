@@ -190,6 +190,29 @@ bool chosen(const Selection& selection, const Check& check) {
   return selection.only.empty() || std::find(selection.only.begin(), selection.only.end(), check.id) != selection.only.end();
 }
 
+// What the report draws besides counterexamples, from answers that were asked for anyway.
+void keep_pictures(const Check& check, const Record& seen, Report& report) {
+  if (std::string_view(check.id) == "update.convergence") {
+    std::vector<Reply> right;
+    for (const Call& call : check.calls(seen.inputs)) right.push_back(model_answer(Habits{}, call.constants, call.request));
+    const Convergence student = convergence(seen.inputs, seen.replies), reference = convergence(seen.inputs, right);
+    Ladder ladder;
+    ladder.steps.assign(student.h.begin(), student.h.end());
+    for (std::size_t part = 0; part < 4; ++part) {
+      ladder.errors[part].assign(student.error[part].begin(), student.error[part].end());
+      ladder.reference[part].assign(reference.error[part].begin(), reference.error[part].end());
+    }
+    report.ladder = ladder;
+  } else if (std::string_view(check.id) == "scene.runs") {
+    SceneTrace trace;
+    for (const auto& [time, energy, momentum, angular] : seen.replies[0].trace) {
+      if (!(time > 0)) break;  // it did not come that far
+      trace.time.push_back(time), trace.energy.push_back(energy), trace.momentum.push_back(momentum), trace.angular_momentum.push_back(angular);
+    }
+    if (trace.time.size() > 1) report.scene = trace;
+  }
+}
+
 // A failure whose whole explanation the rubric accepts counts as right.
 void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) {
   if (result.verdict != Verdict::fail || result.diagnosis.empty()) return;
@@ -231,6 +254,7 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
     auto [result, seen] = Trial(watched, check, rubric, selection, patience, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
     if (result.verdict == Verdict::crash || result.verdict == Verdict::timeout || result.verdict == Verdict::memory) dead.insert(check.function);
     inertia_failed = inertia_failed || (check.group == "Inertia" && result.verdict == Verdict::fail);
+    if (!seen.empty()) keep_pictures(check, seen.front(), report);
     report.results.push_back(std::move(result));
     records.push_back(std::move(seen));
   }

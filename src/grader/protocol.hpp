@@ -65,6 +65,8 @@ enum class Status : std::uint32_t {
   crashed = 4,           // last words from a signal handler: Reply::signal, Reply::stack_overflow
 };
 
+constexpr int scene_samples = 60;
+
 /// What the student's own functions gave for a body just before the call (want_helpers).
 struct HelperRecord {
   double world_inertia[9], world_inverse_inertia[9];
@@ -84,6 +86,7 @@ struct Reply {
   // scene, over the steps after the first tenth (cuboids may start outside): smallest signed distance of a centre
   // to a plane, largest speed, largest |position|; then 1 when everything stayed finite from the start, else 0
   double scene[4];
+  double trace[scene_samples][4];  // scene, for a picture, after each of as many equal parts: s, energy, |P|, |L about the origin|
   char text[96];  // Status::threw: what the exception said, clipped, ends with 0
 };
 

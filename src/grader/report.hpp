@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <rigor/grader/check.hpp>
@@ -38,6 +39,17 @@ struct CheckResult {
   std::vector<Diagnosis> diagnosis;
 };
 
+/// Errors of `update` in halved steps beside those of the assignment's stepper, for a picture.
+struct Ladder {
+  std::vector<double> steps;                                ///< s
+  std::array<std::vector<double>, 4> errors, reference;     ///< position, velocity, spin, rotation; of their scales
+};
+
+/// What the submission's own scene does over 20 s, for a picture.
+struct SceneTrace {
+  std::vector<double> time, energy, momentum, angular_momentum;  ///< s, J, N s, kg m^2/s
+};
+
 /// Everything that is known about one graded submission; every format is written from this.
 struct Report {
   std::string tool, rubric_title, rubric_hash;
@@ -47,6 +59,8 @@ struct Report {
   std::vector<std::string> isolation, notes;
   double score = 0, max_score = 0;
   std::vector<CheckResult> results;
+  std::optional<Ladder> ladder;            ///< where update answered
+  std::optional<SceneTrace> scene;         ///< where the scene ran
   std::string output;      ///< what the student's code printed, clipped
   double seconds = 0;
 };
@@ -57,6 +71,8 @@ std::string report_html(const Report& report);
 
 /// A case's inputs as "name", "value with unit" rows: those that the called function sees.
 std::vector<std::pair<std::string, std::string>> named_inputs(const Counterexample& example);
+/// Where a case touches: the point that is handed to the function, or the deepest corner where it finds that itself.
+Vec3<double> contact_point(const Counterexample& example);
 /// "rigor grade PATH --check ID --case N --seed S"
 std::string replay_command(const Report& report, const CheckResult& result);
 /// Shortest digits that read back to the same double.

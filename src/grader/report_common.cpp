@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <charconv>
+#include <cstdio>
+#include <rigor/grader/contacts.hpp>
 #include <rigor/grader/report.hpp>
 
 namespace rigor::grader {
@@ -41,6 +44,12 @@ void add_box(Rows& list, const Box& b, const std::string& which, bool moves) {
 
 }  // namespace
 
+Vec3<double> contact_point(const Counterexample& e) {
+  if (e.function != Function::plane_response) return e.inputs.point;
+  const Depths d = depths(e.inputs.A, e.inputs.plane_point, e.inputs.normal);
+  return e.inputs.A.position + corner_W(e.inputs.A, d.corner);
+}
+
 std::vector<std::pair<std::string, std::string>> named_inputs(const Counterexample& e) {
   const Scenario& s = e.inputs;
   Rows list;
@@ -66,7 +75,7 @@ std::vector<std::pair<std::string, std::string>> named_inputs(const Counterexamp
       list.push_back({"netForce", triple(s.A.force) + " N"});
       list.push_back({"pointOnPlane", triple(s.plane_point) + " m"});
       list.push_back({"normal", triple(s.normal)});
-      list.push_back({"contact point", triple(s.point) + " m"});
+      list.push_back({e.function == Function::plane_response ? "deepest corner" : "contact point", triple(contact_point(e)) + " m"});
       break;
     case Function::pair_response:
       add_box(list, s.A, " of body 1", true);
@@ -82,14 +91,30 @@ std::vector<std::pair<std::string, std::string>> named_inputs(const Counterexamp
   return list;
 }
 
-std::string replay_command(const Report& report, const CheckResult& result) {
-  std::string path;
-  for (const char c : report.submission_path) {  // quoted for a shell
-    if (c == '\'') path += "'\\''";
-    else path += c;
+namespace {
+
+// A word of a shell's, on one line whatever is in it.
+std::string quoted(const std::string& word) {
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  if (std::any_of(word.begin(), word.end(), control)) {
+    std::string text = "$'";
+    for (const char c : word) {
+      char hex[8];
+      std::snprintf(hex, sizeof hex, "\\x%02x", static_cast<unsigned char>(c));
+      text += control(c) || c == '\'' || c == '\\' ? hex : std::string(1, c);
+    }
+    return text + "'";
   }
-  if (path.find_first_of(" \t\n'\"\\$`*?[]{}()<>|&;#~!") != std::string::npos) path = "'" + path + "'";
-  return "rigor grade " + path + " --check " + result.check->id + " --case " +
+  if (word.find_first_of(" '\"\\$`*?[]{}()<>|&;#~!") == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+std::string replay_command(const Report& report, const CheckResult& result) {
+  return "rigor grade " + quoted(report.submission_path) + " --check " + result.check->id + " --case " +
          std::to_string(result.counterexample ? result.counterexample->number : 0) + " --seed " + std::to_string(report.seed);
 }
 

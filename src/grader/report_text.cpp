@@ -1,17 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <rigor/grader/printable.hpp>
 #include <rigor/grader/report.hpp>
+#include <rigor/report/html.hpp>
 
 namespace rigor::grader {
 namespace {
 
-// What a student wrote, made safe for a terminal: no control characters.
-std::string plain(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7F ? '?' : c;
-  return out;
-}
+// What a student wrote, made safe for a terminal.
+std::string plain(const std::string& text) { return rigor::report::clean(text); }
 
 std::string format(const char* pattern, double a) {
   char text[64];
@@ -79,12 +77,12 @@ void add_result(Text& t, const Report& report, const CheckResult& r) {
   std::snprintf(line, sizeof line, " %-28s %4g of %-4g %s\n", r.check->id.c_str(), r.points, r.max_points,
                 r.cases > 0 ? (std::to_string(r.cases) + " cases, worst error " + format("%.2g", r.worst_ratio) + " of its bound").c_str() : "");
   t.out += "  " + t.verdict(r.verdict, advice) + line;
-  for (const std::string& note : r.notes) t.wrap("note: " + note, "      ");
+  for (const std::string& note : r.notes) t.wrap("note: " + plain(note), "      ");
   if (r.verdict == Verdict::pass) return;
   t.wrap(r.check->says + " (rigor explain " + r.check->formula + ")", "      ");
   if (!r.words.empty()) t.wrap(plain(r.words), "      ");
   for (const Diagnosis& d : r.diagnosis)
-    t.wrap("likely: " + d.text + " (agrees on " + std::to_string(d.agreements) + " of " + std::to_string(d.cases) + " cases)", "      ");
+    t.wrap("likely: " + plain(d.text) + " (agrees on " + std::to_string(d.agreements) + " of " + std::to_string(d.cases) + " cases)", "      ");
   if (r.counterexample && !advice) add_counterexample(t, report, r);
 }
 
@@ -92,7 +90,7 @@ void add_result(Text& t, const Report& report, const CheckResult& r) {
 
 std::string report_text(const Report& report, bool colour) {
   Text t(colour);
-  t.out += t.paint("1", plain(report.submission) + ": " + format("%g", report.score) + " of " + format("%g", report.max_score)) + "\n";
+  t.out += t.paint("1", plain(printable(report.submission)) + ": " + format("%g", report.score) + " of " + format("%g", report.max_score)) + "\n";
   std::string group;
   for (const CheckResult& r : report.results) {
     if (r.check->group != group) {

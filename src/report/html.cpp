@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <rigor/report/html.hpp>
+#include <rigor/report/texts.hpp>
 
 namespace rigor::report {
 namespace {
@@ -21,6 +22,15 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return overlong || outside ? 0 : length;
 }
 
+// Of one well-formed sequence: C0 but newline and tab, DEL, C1; marks that turn the direction of what follows, with
+// which a name can look like another; U+FFFE and U+FFFF, which XML forbids.
+bool is_control(std::string_view one) {
+  const auto first = static_cast<unsigned char>(one[0]);
+  if (one.size() == 1) return (first < 0x20 && first != '\n' && first != '\t') || first == 0x7F;
+  if (one.size() == 2) return first == 0xC2 && static_cast<unsigned char>(one[1]) < 0xA0;
+  return (one >= "\xE2\x80\xAA" && one <= "\xE2\x80\xAE") || (one >= "\xE2\x81\xA6" && one <= "\xE2\x81\xA9") || one == "\xEF\xBF\xBE" || one == "\xEF\xBF\xBF";
+}
+
 constexpr const char* replacement = "\xEF\xBF\xBD";
 
 constexpr const char* sheet = R"css(
@@ -34,7 +44,7 @@ body{margin:0 auto;max-width:66rem;padding:1.2rem;background:var(--paper);color:
  font:16px/1.5 system-ui,"Segoe UI",Roboto,"Liberation Sans","DejaVu Sans",sans-serif}
 h1{font-size:1.7rem;line-height:1.2;margin:.3rem 0}h2{font-size:1.25rem;margin:2rem 0 .5rem;border-bottom:1px solid var(--line)}
 h3{font-size:1.05rem;margin:1.2rem 0 .3rem}p.lead{color:var(--soft);margin:.2rem 0 1.2rem}
-a{color:var(--link)}a:focus-visible,summary:focus-visible,button:focus-visible{outline:3px solid var(--link);outline-offset:2px}
+a{color:var(--link)}a:focus-visible,summary:focus-visible,.scroll:focus-visible{outline:3px solid var(--link);outline-offset:2px}
 code,pre{font:0.9em/1.45 ui-monospace,"DejaVu Sans Mono","Liberation Mono",monospace}
 pre{background:var(--card);border:1px solid var(--line);border-radius:6px;padding:.7rem;overflow-x:auto;white-space:pre-wrap;overflow-wrap:anywhere}
 .scroll{overflow-x:auto}table{border-collapse:collapse;margin:.6rem 0;font-variant-numeric:tabular-nums}
@@ -44,61 +54,57 @@ th{font-weight:600}td.n,th.n{text-align:right}.card{background:var(--card);borde
 figure{margin:1rem 0}figcaption{color:var(--soft);font-size:.92rem}svg{max-width:100%;height:auto}
 footer{margin-top:3rem;border-top:1px solid var(--line);color:var(--soft);font-size:.85rem;overflow-wrap:anywhere}
 svg text{fill:var(--ink);font:12px system-ui,"DejaVu Sans",sans-serif}svg .grid{stroke:var(--line);stroke-width:1}svg .axis{stroke:var(--soft);stroke-width:1}
+math{font-size:1.15em;font-family:"Cambria Math","STIX Two Math","Latin Modern Math","Noto Sans Math",math}
+.badge{display:inline-block;border:1px solid currentColor;border-radius:1rem;padding:0 .55rem;font-size:.82rem;font-weight:600;white-space:nowrap}
+td.bar{min-width:8rem}td.bar i{display:block;height:.8rem;border-radius:3px;background:var(--s0)}
 @media print{body{max-width:none;padding:0}details{display:block}pre{white-space:pre-wrap}.card,figure,tr{break-inside:avoid}}
 )css";
 
 }  // namespace
 
-std::string escape(std::string_view text) {
+std::string clean(std::string_view text) {
   std::string out;
   out.reserve(text.size() + 16);
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    if (length == 0 || (c < 0x20 && c != '\n' && c != '\t') || c == 0x7F ||
-        (length == 2 && c == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0)) {
-      out += replacement;
-      i += std::max<std::size_t>(length, 1);
-      continue;
-    }
-    switch (length == 1 ? text[i] : '\0') {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out.append(text.substr(i, length));
-    }
-    i += length;
+    const std::string_view one = text.substr(i, std::max<std::size_t>(length, 1));
+    if (length == 0 || is_control(one)) out += replacement;
+    else out += one;
+    i += one.size();
   }
   return out;
 }
 
+std::string escape(std::string_view text) {
+  std::string out;
+  for (const char c : clean(text)) switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: out += c;
+    }
+  return out;
+}
+
 std::string render(const Page& page) {
-  const std::string script_source = page.script.empty() ? "'none'" : "'unsafe-inline'";
+  // the static picture of a plot is enough where no script was bundled
+  const bool hovers = page.body.find("<figure class=\"plot\">") != std::string::npos && !text("hover.js").empty();
+  const std::string script_source = hovers ? "'sha256-" + std::string(text("hover.js.sha256")) + "'" : "'none'";
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
       "img-src data:; "
       "base-uri 'none'; form-action 'none'; script-src " +
-      script_source + "\">\n<title>" + escape(page.title) + "</title>\n<style>" + sheet + page.style +
-      "</style>\n</head>\n<body>\n<main>\n<h1>" + escape(page.title) + "</h1>\n";
+      script_source + "\">\n<title>" + escape(page.title) + "</title>\n<style>" + sheet + page.style;
+  if (hovers) html += text("hover.css");
+  html += "</style>\n</head>\n<body>\n<main>\n<h1>" + escape(page.title) + "</h1>\n";
   if (!page.lead.empty()) html += "<p class=\"lead\">" + escape(page.lead) + "</p>\n";
   html += page.body + "\n</main>\n";
   if (!page.footer.empty()) html += "<footer><p>" + escape(page.footer) + "</p></footer>\n";
-  if (!page.script.empty()) html += "<script>" + page.script + "</script>\n";
+  if (hovers) html += "<script>" + std::string(text("hover.js")) + "</script>\n";
   return html + "</body>\n</html>\n";
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
 
@@ -118,6 +120,11 @@ std::string curve(const Series& s, std::size_t index, const Axis& x, const Axis&
          (s.dashed ? "1.2\" stroke-dasharray=\"5 4" : "1.8") + "\"/>" + marks;
 }
 
+std::size_t colour_of(const Plot& plot, std::size_t i) {
+  const int shared = plot.series[i].colour;
+  return (shared < 0 ? i : std::size_t(shared)) % 8;
+}
+
 // How many points of a plot cannot be drawn: said in the text alternative, never silently dropped.
 std::size_t gaps(const Plot& plot) {
   std::size_t count = 0;
@@ -150,11 +157,11 @@ std::string svg(const Plot& plot, const std::vector<std::string>& colours, const
                     "\" height=\"" + number("%g", total) + "\"><title>" + escape(plot.title) +
                     "</title><desc>" + escape(describe(plot)) + "</desc>" + style + frame(x, y, plot);
   for (std::size_t i = 0; i < plot.series.size(); ++i)
-    out += curve(plot.series[i], i, x, y, colours[i % colours.size()]);
+    out += curve(plot.series[i], i, x, y, colours[colour_of(plot, i)]);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const double px = left + double(i % 3) * (width - left - right) / 3,
                  py = height + 8 + 20.0 * double(i / 3);
-    const std::string& colour = colours[i % colours.size()];
+    const std::string& colour = colours[colour_of(plot, i)];
     out += "<line x1=\"" + number("%g", px) + "\" x2=\"" + number("%g", px + 22) + "\" y1=\"" +
            number("%g", py) + "\" y2=\"" + number("%g", py) + "\" stroke=\"" + colour +
            "\" stroke-width=\"2\"" + (plot.series[i].dashed ? " stroke-dasharray=\"5 4\"" : "") + "/>";
@@ -169,6 +176,26 @@ const std::vector<std::string> page_colours{"var(--s0)", "var(--s1)", "var(--s2)
                                             "var(--s4)", "var(--s5)", "var(--s6)", "var(--s7)"};
 const std::vector<std::string> file_colours{"#0b5cad", "#b3420a", "#1a7a3c", "#7b3fb5",
                                             "#8a6100", "#0a7480", "#a3195b", "#555"};
+
+// The numbers of a plot, for src/view/web/hover.js; what cannot be drawn is null.
+std::string data(const Plot& plot) {
+  nlohmann::ordered_json json{{"x_label", plot.x_label}, {"y_label", plot.y_label}, {"log_x", plot.log_x}, {"log_y", plot.log_y}};
+  for (const Series& s : plot.series) {
+    nlohmann::ordered_json x = nlohmann::ordered_json::array(), y = x;
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+      if (!drawable(s.x[i], plot.log_x)) continue;
+      x.push_back(std::strtod(number("%.7g", s.x[i]).c_str(), nullptr));  // more digits than a pixel shows only make the page larger
+      if (drawable(s.y[i], plot.log_y)) y.push_back(std::strtod(number("%.5g", s.y[i]).c_str(), nullptr));
+      else y.push_back(nullptr);
+    }
+    json["series"].push_back({{"name", s.name}, {"x", x}, {"y", y}, {"markers", s.markers}, {"dashed", s.dashed}, {"colour", colour_of(plot, std::size_t(&s - plot.series.data()))}});
+  }
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+    if (c == '<') text += "\\u003c";  // no end tag can begin inside the data
+    else text += c;
+  return "<script type=\"application/json\">" + text + "</script>";
+}
 
 std::string in_figure(const std::string& picture, const std::string& caption_html) {
   return "<figure>" + picture +
@@ -194,7 +221,8 @@ std::vector<double> ticks(double low, double high, bool logarithmic) {
 }
 
 std::string figure(const Plot& plot, const std::string& caption_html) {
-  return in_figure(svg(plot, page_colours, ""), caption_html);
+  return "<figure class=\"plot\">" + svg(plot, page_colours, "") + data(plot) +
+         (caption_html.empty() ? "" : "<figcaption>" + caption_html + "</figcaption>") + "</figure>\n";
 }
 
 std::string svg_file(const Plot& plot) {

@@ -11,6 +11,7 @@ struct Series {
   std::vector<double> x, y;
   bool markers = true;
   bool dashed = false;  ///< a guide (a slope, a bound), not data
+  int colour = -1;      ///< the number of the curve whose colour it shares; -1: one of its own
 };
 
 struct Plot {

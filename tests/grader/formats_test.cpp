@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <rigor/base/file.hpp>
 #include <rigor/grader/formats.hpp>
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
+
+#include "tests/grader/schema.hpp"
 
 namespace rigor::grader {
 namespace {
@@ -40,6 +45,52 @@ TEST(Junit, CountsWhatItLists) {
   EXPECT_EQ(xml.find("<ada>"), std::string::npos);
 }
 
+// What readers of JUnit's XML share: each element inside its parent, with its attributes and no others, closed.
+TEST(Junit, IsWellFormedAndHasOnlyTheElementsReadersKnow) {
+  const std::map<std::string, std::pair<std::string, std::string>> known{  // element: parents, attributes
+      {"testsuites", {"", "name"}}, {"testsuite", {"testsuites", "name tests failures errors skipped"}}, {"testcase", {"testsuite", "classname name"}},
+      {"failure", {"testcase", "message"}}, {"error", {"testcase", "message"}}, {"skipped", {"testcase", "message"}}, {"system-out", {"testcase", ""}}};
+  const std::string xml = report_junit(failing_report());
+  ASSERT_EQ(xml.rfind("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0), 0u);
+  std::vector<std::string> open{""};
+  const std::regex element("<(/?)([a-z-]+)((?: [a-z]+=\"[^\"<]*\")*)>"), attribute(" ([a-z]+)=");
+  for (std::size_t at = xml.find('<', 1); at != std::string::npos; at = xml.find('<', at + 1)) {
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(xml.begin() + long(at), xml.end(), match, element, std::regex_constants::match_continuous)) << xml.substr(at, 80);
+    const std::string tag = match[2], attributes = match[3];
+    ASSERT_EQ(known.count(tag), 1u) << tag;
+    if (match[1].length() > 0) {
+      ASSERT_EQ(open.back(), tag);
+      open.pop_back();
+      continue;
+    }
+    ASSERT_EQ(open.back(), known.at(tag).first) << tag;
+    std::string names;
+    for (std::sregex_iterator it(attributes.begin(), attributes.end(), attribute), end; it != end; ++it) names += (names.empty() ? "" : " ") + (*it)[1].str();
+    ASSERT_EQ(names, known.at(tag).second);
+    open.push_back(tag);
+  }
+  EXPECT_EQ(open.size(), 1u);
+  // an '&' begins one of XML's own entities
+  EXPECT_FALSE(std::regex_search(xml, std::regex("&(?!(amp|lt|gt|quot|#39);)")));
+}
+
+nlohmann::json file(const std::string& path) { return nlohmann::json::parse(*read_file(std::string(RIGOR_SOURCE_DIR) + "/" + path)); }
+
+TEST(Json, KeepsToItsSchema) {
+  const auto schema = file("docs/schema/report.schema.json");
+  auto json = nlohmann::json::parse(report_json(failing_report()));
+  EXPECT_EQ(breaks(schema, json), "");
+  json["checks"][3]["verdict"] = "passed";
+  EXPECT_EQ(breaks(schema, json).substr(0, 19), "$.checks[3].verdict");  // the validator can fail
+}
+
+TEST(Gradescope, KeepsToItsSchema) {
+  const auto schema = file("tests/grader/gradescope.schema.json");
+  EXPECT_EQ(breaks(schema, nlohmann::json::parse(report_gradescope(failing_report()))), "");
+  EXPECT_EQ(breaks(schema, nlohmann::json::parse(gradescope_failure("the grader did not finish"))), "");
+}
+
 // The rules of Gradescope's results.json: scores within max_score, known status and visibility.
 TEST(Gradescope, KeepsToItsContract) {
   const auto json = nlohmann::json::parse(report_gradescope(failing_report()));
@@ -72,6 +123,47 @@ TEST(Autolab, SurvivesItsParser) {
   EXPECT_EQ(told["_presentation"], "semantic");
   for (const auto& stage : told["stages"]) EXPECT_TRUE(told.contains(stage.get<std::string>())) << stage;
   EXPECT_FALSE(nlohmann::json::parse(autolab_failure("no: files").substr(0, autolab_failure("no: files").find('\n')))["Build"]["compiles"]["passed"].get<bool>());
+}
+
+// Of Autolab's other traps: status 0, the problems of the yml and an old image are tried by the exported lab
+// (tests/cli/export_test.cpp, tests/cli/older-root), forging the last line by tests/submissions/hostile/leaves-a-child.
+TEST(AutolabTraps, LastLineHasOnlyTameNamesAndNumbers) {
+  const std::regex allowed(R"(\{"scores":\{("[A-Za-z0-9 _-]+":-?[0-9][0-9.e+-]*,?)+\},"scoreboard":\[-?[0-9][0-9.e+-]*\]\})");
+  for (const std::string& text : {report_autolab(failing_report()), autolab_failure("word: {\"scores\"} no\nfiles")}) {
+    ASSERT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+    const std::string last = text.substr(text.find('\n') + 1, text.size() - text.find('\n') - 2);
+    EXPECT_TRUE(std::regex_match(last, allowed)) << last;
+  }
+}
+
+TEST(AutolabTraps, HintsHaveNothingItsParserWouldRewrite) {
+  const std::string text = report_autolab(failing_report());
+  const auto told = nlohmann::json::parse(text.substr(0, text.find('\n')));
+  int hints = 0;
+  for (const auto& stage : told["stages"])
+    for (const auto& [name, item] : told[stage.get<std::string>()].items()) {
+      EXPECT_TRUE(item["passed"].is_boolean());
+      if (!item.contains("hint")) continue;
+      ++hints;
+      EXPECT_TRUE(std::regex_match(item["hint"].get<std::string>(), std::regex("[A-Za-z0-9 _-]+"))) << item;
+    }
+  EXPECT_GT(hints, 4);
+}
+
+TEST(AutolabTraps, OutputStaysFarBelowWhereItIsCut) {
+  Report report = failing_report();  // 1000 KiB; what a submission prints is kept to 4 KiB, words to less
+  report.output = std::string(4096, 'x');
+  for (CheckResult& r : report.results) r.words = std::string(2000, 'y');
+  EXPECT_LT(report_text(report, false).size() + report_autolab(report).size(), 250u << 10);
+}
+
+TEST(AutolabTraps, FailureHasTheSameProblemsAsAGrade) {
+  const auto problems = [](const std::string& text) {
+    std::vector<std::string> names;
+    for (const auto& [name, points] : nlohmann::ordered_json::parse(text.substr(text.find('\n') + 1))["scores"].items()) names.push_back(name);
+    return names;
+  };
+  EXPECT_EQ(problems(report_autolab(failing_report())), problems(autolab_failure("x")));
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// Plots of a report under the pointer: uPlot in place of the static picture, from the same numbers. Without scripts, and on
+// paper, the picture stays.
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import './hover.css';
+
+const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const short = x => x == null ? '' : x === 0 ? '0' : Math.abs(x) >= 1e4 || Math.abs(x) < 1e-3 ? x.toExponential(2).replace('e+', 'e') : String(+x.toPrecision(4));
+
+// uPlot wants one list of x for all curves
+function aligned(series) {
+  const xs = [...new Set(series.flatMap(s => s.x))].sort((a, b) => a - b);
+  return [xs, ...series.map(s => { const at = new Map(s.x.map((x, i) => [x, s.y[i]])); return xs.map(x => at.has(x) ? at.get(x) : undefined); })];
+}
+
+function draw(figure) {
+  const plot = JSON.parse(figure.querySelector('script').textContent), still = figure.querySelector('svg');
+  const host = document.createElement('div');
+  host.className = 'hover';
+  host.setAttribute('role', 'img');
+  host.setAttribute('aria-label', still.querySelector('desc').textContent);
+  still.before(host);
+  const axis = {stroke: css('--ink'), grid: {stroke: css('--line'), width: 1}, ticks: {stroke: css('--line')}, font: '12px sans-serif', labelFont: '13px sans-serif'};
+  const decades = (u, ticks) => ticks.map(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? short(t) : '');
+  const scale = log => log ? {distr: 3, range: (u, low, high) => [low / 1.4, high * 1.4]} : {};
+  const size = () => ({width: Math.min(720, figure.clientWidth), height: 400});
+  const chart = new uPlot({
+    ...size(), scales: {x: {time: false, ...scale(plot.log_x)}, y: scale(plot.log_y)}, cursor: {drag: {x: true, y: true}},
+    axes: [{...axis, label: plot.x_label, values: plot.log_x ? decades : (u, t) => t.map(short)},
+           {...axis, label: plot.y_label, size: 70, values: plot.log_y ? decades : (u, t) => t.map(short)}],
+    series: [{label: plot.x_label, value: (u, x) => short(x)}, ...plot.series.map(s => ({
+      label: s.name, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dashed ? [5, 4] : [], spanGaps: true,
+      points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => short(y)}))],
+  }, aligned(plot.series), host);
+  figure.classList.add('hovers');
+  new ResizeObserver(() => chart.setSize(size())).observe(figure);
+}
+for (const figure of document.querySelectorAll('figure.plot')) draw(figure);
