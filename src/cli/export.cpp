@@ -148,19 +148,19 @@ Outcome<bool> add_grader(Package& package, const std::string& below, const std::
 }
 
 /// The rubric with the seed for practice: the graded one is the instructor's secret.
-std::string for_practice(const std::string& rubric) {
-  static const std::regex seed("(^|\n)[ \t]*seed[ \t]*=[^\n]*");
-  return "seed = 1                   # for practice: the course grades with another\n" + std::regex_replace(rubric, seed, "$1");
+std::string for_practice(const std::string& rubric, std::uint64_t practice_seed) {
+  static const std::regex seeds("(^|\n)[ \t]*(practice_)?seed[ \t]*=[^\n]*");
+  return "seed = " + std::to_string(practice_seed) + "                   # for practice: the course grades with another\n" + std::regex_replace(rubric, seeds, "$1");
 }
 
-Outcome<bool> write_kit(const fs::path& to, const std::string& rubric) {
+Outcome<bool> write_kit(const fs::path& to, const std::string& rubric, const grader::Rubric& read) {
   Package package{{"README.md", kit_readme}, {"CMakeLists.txt", kit_cmake}, {"practice", practice, true}};
   for (const grader::Text& text : grader::texts()) {
     const std::string path(text.path);
     if (path.starts_with("src/kit/handout/")) package.push_back({"src/" + path.substr(16), std::string(text.content)});
     if (path.starts_with("src/kit/include/")) package.push_back({"include/" + path.substr(16), std::string(text.content)});
   }
-  if (const auto added = add_grader(package, "", for_practice(rubric)); !added) return added;
+  if (const auto added = add_grader(package, "", for_practice(rubric, read.practice_seed)); !added) return added;
   return write_tree(package, to);
 }
 
@@ -171,12 +171,10 @@ Outcome<bool> write_gradescope(const fs::path& to, const std::string& rubric) {
 }
 
 std::string autolab_yml(const grader::Rubric& rubric) {
-  std::string problems, group;
-  for (const grader::Check& check : grader::checks()) {
-    if (check.group == group) continue;
-    group = check.group;
+  std::string problems;
+  for (const std::string& group : rubric.group_names()) {
     double sum = 0;
-    for (const grader::Check& other : grader::checks()) sum += other.group == group ? rubric.points_of(other) : 0;
+    for (const grader::Check& check : grader::checks()) sum += rubric.group_of(check) == group ? rubric.points_of(check) : 0;
     char line[160];
     std::snprintf(line, sizeof line, "- name: %s\n  description: ''\n  max_score: %.10g\n  optional: false\n", group.c_str(), sum);
     problems += line;
@@ -210,7 +208,7 @@ int export_command(const Options& options) {
   }
   const auto rubric = grader::parse_rubric(text, options.rubric);
   if (!rubric) return bad_input(rubric.fault().text());
-  const auto written = options.what == "kit"      ? write_kit(options.directory, text)
+  const auto written = options.what == "kit"      ? write_kit(options.directory, text, *rubric)
                        : options.what == "autolab" ? write_autolab(options.directory, text, *rubric)
                        : options.what == "gradescope"
                            ? write_gradescope(options.directory, text)

@@ -22,7 +22,7 @@ struct Options {
   int single_case = -1;
   std::vector<std::string> formats;
   std::string out;
-  bool json = false, quiet = false, sanitize = false, print_rubric = false;
+  bool json = false, quiet = false, sanitize = false, print_rubric = false, practice = false;
   int jobs = 1;
 };
 
@@ -61,10 +61,10 @@ Outcome<bool> write_formats(const grader::Report& report, const Options& options
 }
 
 // What a platform finds when the grader could not finish, or was killed: written first, replaced at the end.
-Outcome<bool> write_failures(const std::string& why, const Options& options) {
+Outcome<bool> write_failures(const std::string& why, const grader::Rubric& rubric, const Options& options) {
   for (const std::string& name : options.formats) {
     if (name != "gradescope" && name != "autolab") continue;
-    const std::string text = name == "autolab" ? grader::autolab_failure(why) : grader::gradescope_failure(why);
+    const std::string text = name == "autolab" ? grader::autolab_failure(why, rubric.group_names()) : grader::gradescope_failure(why);
     if (const auto written = write_file(std::filesystem::path(options.out) / find_format(name)->file, text); !written) return written;
   }
   return true;
@@ -97,6 +97,7 @@ int grade_command(const Options& options) {
     if (!read) return bad_input(read.fault().text());
     rubric = *read;
   }
+  if (options.practice) rubric.seed = rubric.practice_seed;
   if (options.seed != 0) rubric.seed = options.seed;
   if (options.cases != 0) rubric.cases = options.cases;
   std::vector<std::string> ids;
@@ -113,13 +114,13 @@ int grade_command(const Options& options) {
   for (const std::string& path : options.paths) {
     const bool for_a_platform = !options.out.empty() && options.paths.size() == 1;
     if (for_a_platform)
-      if (const auto written = write_failures("the grader did not finish", options); !written) return bad_input(written.fault().text());
+      if (const auto written = write_failures("the grader did not finish", rubric, options); !written) return bad_input(written.fault().text());
     const auto report = grade_one(path, rubric, options);
     if (!report) {
       std::fprintf(stderr, "rigor grade: %s\n", report.fault().text().c_str());
       if (for_a_platform)
-        if (const auto written = write_failures(report.fault().text(), options); !written) return bad_input(written.fault().text());
-      if (autolab) std::fputs(grader::autolab_failure(report.fault().text()).c_str(), stdout);
+        if (const auto written = write_failures(report.fault().text(), rubric, options); !written) return bad_input(written.fault().text());
+      if (autolab) std::fputs(grader::autolab_failure(report.fault().text(), rubric.group_names()).c_str(), stdout);
       continue;
     }
     ++graded;
@@ -142,6 +143,7 @@ void add_grade(CLI::App& app, int& exit_status) {
   command->add_option("PATH", options->paths, "directory, .zip or .tar of a submission");
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
   command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
+  command->add_flag("--practice", options->practice, "the rubric's cases for practice instead of the graded ones");
   command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
   command->add_option("--check", options->checks, "only this check; may be given several times");
   command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(CLI::Range(0, 100000));

@@ -422,7 +422,8 @@ class Builder {
       if (sources_.contains(name) && !sources_[name].expected) continue;
       all += key_of(path.string());
     }
-    arguments = {"-static", "-s", "-Wl,--allow-multiple-definition"};
+    arguments = {"-Wl,--allow-multiple-definition"};
+    if (!options_.sanitize) arguments.insert(arguments.end(), {"-static", "-s"});  // the address sanitizer cannot be static
     for (const char* first : {"driver.cpp", "constants.cpp"}) arguments.push_back(staged_object(first));
     for (const auto& [name, source] : sources_)
       if (is_source(name) && (source.expected || linked_others_)) {
@@ -550,6 +551,24 @@ fs::path default_cache() {
   if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/') return fs::path(xdg) / "rigor";
   if (const char* home = std::getenv("HOME"); home && *home == '/') return fs::path(home) / ".cache" / "rigor";
   return fs::temp_directory_path() / ("rigor-cache-" + std::to_string(geteuid()));
+}
+
+std::string kit_hash() {
+  static const std::string hash = [] {
+    std::string all;
+    for (const Text& text : texts())
+      if (text.path.starts_with("src/kit/")) all += key_of(text.path, text.content);
+    return sha256(all);
+  }();
+  return hash;
+}
+
+std::string tool_hash() {
+  static const std::string hash = [] {
+    const auto program = read_file("/proc/self/exe", 1u << 30);
+    return program ? sha256(*program) : std::string("unknown");
+  }();
+  return hash;
 }
 
 Outcome<BuildResult> build(const Submission& submission, const BuildOptions& options) {

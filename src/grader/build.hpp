@@ -48,6 +48,11 @@ struct BuildOptions {
 /// $RIGOR_CACHE, else /var/cache/rigor for root, else $XDG_CACHE_HOME/rigor or ~/.cache/rigor.
 std::filesystem::path default_cache();
 
+/// Of the handed-out files, the headers and the driver every submission is compiled with.
+std::string kit_hash();
+/// Of the program that runs: another build of the tool has another.
+std::string tool_hash();
+
 /// A submission compiled against the kit and the driver. The executable lies in the cache and stays valid.
 struct BuildResult {
   std::filesystem::path executable;  ///< empty when nothing could be built: `notes` say why

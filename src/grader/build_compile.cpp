@@ -163,7 +163,8 @@ Outcome<Toolchain> toolchain(const fs::path& cache, bool sanitize) {
   // What a student left uninitialised is the same nonsense in every run: a grade that stands.
   if (std::atoi(version.output.c_str()) >= 12) tools.flags.push_back("-ftrivial-auto-var-init=pattern");
   if (sanitize)
-    for (const char* flag : {"-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"})
+    // (the check of virtual calls asks for a pipe, which the filter refuses, and then takes every object for a wrong one)
+    for (const char* flag : {"-g", "-fsanitize=address,undefined", "-fno-sanitize=vptr", "-fno-sanitize-recover=undefined"})
       tools.flags.push_back(flag);
 
   std::string all = key_of(version.output, tools.eigen.string());

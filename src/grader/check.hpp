@@ -91,5 +91,6 @@ std::vector<Check> update_checks();
 std::vector<Check> plane_checks();
 std::vector<Check> friction_checks();
 std::vector<Check> pair_checks();
+std::vector<Check> own_checks();  ///< an instructor's: own.cpp
 
 }  // namespace rigor::grader

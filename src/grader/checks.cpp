@@ -22,7 +22,7 @@ double Judgement::ratio() const {
 const std::vector<Check>& checks() {
   static const std::vector<Check> all = [] {
     std::vector<Check> list;
-    for (auto part : {inertia_checks, force_checks, update_checks, plane_checks, friction_checks, pair_checks})
+    for (auto part : {inertia_checks, force_checks, update_checks, plane_checks, friction_checks, pair_checks, own_checks})
       for (Check& check : part()) list.push_back(std::move(check));
     return list;
   }();

@@ -1,6 +1,7 @@
 #include <rigor/formulas/effective_mass.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/grader/check.hpp>
+#include <rigor/grader/misconceptions.hpp>
 #include <rigor/grader/contacts.hpp>
 
 namespace rigor::grader {
@@ -34,7 +35,7 @@ Judgement judge_direction(const Scenario& s, const std::vector<Reply>& r, bool) 
   Judgement j;
   j.add("tangent", "1", got, against ? Vec3<double>(-want) : want, tight);
   j.add("velocity (must be left alone)", "m/s", vec(r[0].A.velocity), s.A.velocity, tight);
-  if (against) j.note = "tangent against the slip";
+  if (against) j.note = find_misconception("tangent-against-slip")->text;
   return j;
 }
 Scenario draw_resting(Random& random, int number) {
@@ -154,8 +155,8 @@ Form form_seen(const Scenario& s, const Reply& r, double slip) {
   return Form::unknown;
 }
 std::string note_of(Form form) {
-  if (form == Form::effective) return "friction with the tangential effective mass";
-  if (form == Form::literal) return "literal friction rule: every slip slides";
+  if (form == Form::effective) return find_misconception("friction-effective-mass")->text;
+  if (form == Form::literal) return find_misconception("friction-literal")->text;
   return "";
 }
 

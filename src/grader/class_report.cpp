@@ -96,20 +96,14 @@ std::string mistake_says(const std::string& ids) {
 }  // namespace
 
 std::string scores_csv(const std::vector<ClassRow>& rows) {
-  std::vector<std::string> groups;
-  for (const Check& check : checks())
-    if (groups.empty() || groups.back() != check.group) groups.push_back(check.group);
+  const auto graded = std::find_if(rows.begin(), rows.end(), [](const ClassRow& r) { return !r.groups.empty(); });
+  const std::vector<std::pair<std::string, double>> groups = graded == rows.end() ? std::vector<std::pair<std::string, double>>{} : graded->groups;
   std::string out = "student,score,max_score";
-  for (const std::string& g : groups) out += "," + cell(g);
+  for (const auto& [group, points] : groups) out += "," + cell(group);
   out += ",version,versions,late,trouble\n";
   for (const ClassRow& r : rows) {
     out += cell(r.entry.student) + "," + (r.trouble.empty() ? brief(r.score) + "," + brief(r.max_score) : ",");
-    for (const std::string& g : groups) {
-      double sum = 0;
-      for (const Check& check : checks())
-        if (check.group == g && r.points.count(check.id) != 0) sum += r.points.at(check.id);
-      out += "," + (r.trouble.empty() ? brief(sum) : "");
-    }
+    for (std::size_t k = 0; k < groups.size(); ++k) out += "," + (k < r.groups.size() ? brief(r.groups[k].second) : "");
     out += "," + std::to_string(r.entry.version) + "," + std::to_string(r.entry.versions) + "," + (r.entry.late ? "yes" : "") + "," + cell(r.trouble) + "\n";
   }
   return out;

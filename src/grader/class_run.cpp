@@ -11,6 +11,8 @@
 namespace rigor::grader {
 namespace {
 
+std::string tool_of(const std::string& tool, const std::string& hash) { return tool + " " + hash; }
+
 // nullopt: no report, or one that cannot be read.
 std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const Entry& entry) {
   const auto text = read_file(report_json);
@@ -22,7 +24,7 @@ std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const
   try {
     row.score = json.at("score");
     row.max_score = json.at("max_score");
-    row.tool = json.at("tool");
+    row.tool = tool_of(json.at("tool"), json.value("tool_hash", ""));
     row.rubric_hash = json.at("rubric_hash");
     row.submission_hash = json.at("submission").at("hash");
     std::set<std::string> named;
@@ -30,6 +32,9 @@ std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const
       const std::string id = check.at("id"), verdict = check.at("verdict");
       row.points[id] = check.at("points");
       row.verdicts[id] = verdict;
+      const std::string group = check.at("group");
+      if (row.groups.empty() || row.groups.back().first != group) row.groups.push_back({group, 0});
+      row.groups.back().second += row.points[id];
       if (verdict == "pass" || check.at("max_points") == 0) continue;
       if (verdict == "fail") row.fingerprint += id + "=" + check.at("worst_ratio").dump() + ";";
       for (const auto& d : check.at("diagnosis"))
@@ -55,7 +60,7 @@ ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOption
   if (!submission) return troubled(entry, submission.fault().text());
   if (!options.fresh)
     if (auto old = row_from(dir / "report.json", entry);
-        old && old->tool == options.tool && old->rubric_hash == rubric.hash() && old->submission_hash == submission->hash) {
+        old && old->tool == tool_of(options.tool, tool_hash()) && old->rubric_hash == rubric.hash() && old->submission_hash == submission->hash) {
       old->reused = true;
       return *old;
     }

@@ -12,6 +12,7 @@ struct ClassRow {
   std::string trouble;                           ///< why it could not be graded; "" when it was
   double score = 0, max_score = 0;
   std::map<std::string, double> points;          ///< by check id
+  std::vector<std::pair<std::string, double>> groups;  ///< the report's headings and the points under them
   std::map<std::string, std::string> verdicts;   ///< by check id
   std::vector<std::string> diagnoses;            ///< misconception ids
   std::string fingerprint;                       ///< the worst ratios of the failed checks, to all digits; "" with none

@@ -3,6 +3,7 @@
 #include <map>
 #include <rigor/grader/diagnose.hpp>
 #include <rigor/grader/misconceptions.hpp>
+#include <rigor/grader/relations.hpp>
 
 namespace rigor::grader {
 namespace {
@@ -94,31 +95,11 @@ std::string sentence(const std::string& ids) {
   return text;
 }
 
-// got = factor * want throughout, with one factor; NaN when there is none.
-double common_factor(const History& h) {
-  double gw = 0, ww = 0;
-  for (const Record& r : h.records)
-    for (const Component& c : h.result->check->judge(r.inputs, r.replies, false).components) {
-      if (!std::isfinite(c.got)) return NAN;
-      gw += c.got * c.want / (c.bound * c.bound), ww += c.want * c.want / (c.bound * c.bound);
-    }
-  const double factor = gw / ww;
-  for (const Record& r : h.records)
-    for (const Component& c : h.result->check->judge(r.inputs, r.replies, false).components)
-      if (!(std::fabs(c.got - factor * c.want) <= c.bound * std::fmax(1, std::fabs(factor)))) return NAN;
-  return factor;
-}
-
 void add_relation(History& h) {
   if (h.records.empty() || !comparable(*h.result->check)) return;
-  const double factor = common_factor(h);
-  if (!std::isfinite(factor)) return;
+  const std::string words = relation(*h.result->check, h.records);
   const int n = int(h.records.size());
-  char text[96];
-  if (std::fabs(factor) < 1e-6) std::snprintf(text, sizeof text, "the result is always zero");
-  else if (std::fabs(factor + 1) < 1e-4) std::snprintf(text, sizeof text, "the result has the opposite sign, always");
-  else std::snprintf(text, sizeof text, "the result is %.4g times the right one, always", factor);
-  h.result->diagnosis.push_back({"relation", text, n, n});
+  if (!words.empty()) h.result->diagnosis.push_back({"relation", words, n, n});
 }
 
 }  // namespace

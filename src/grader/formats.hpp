@@ -18,6 +18,6 @@ std::string gradescope_failure(const std::string& why);
 std::string report_autolab(const Report& report);
 
 /// What Autolab is told when nothing could be graded: every part 0, the reason as a hint.
-std::string autolab_failure(const std::string& why);
+std::string autolab_failure(const std::string& why, const std::vector<std::string>& groups);
 
 }  // namespace rigor::grader

@@ -6,6 +6,7 @@
 #include <rigor/grader/diagnose.hpp>
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
+#include <rigor/grader/sanitize.hpp>
 #include <rigor/grader/shrink.hpp>
 #include <rigor/grader/workers.hpp>
 #include <set>
@@ -79,7 +80,7 @@ class Trial {
 
   // Runs the cases; a check is all or nothing, and stops after three deaths, or one case after a timeout.
   std::pair<CheckResult, std::vector<Record>> finish() {
-    const int all = check_.cases != 0 ? std::min(check_.cases, rubric_.cases) : rubric_.cases;
+    const int all = rubric_.cases_of(check_);
     const int first = selection_.single_case < 0 ? 0 : selection_.single_case, last = selection_.single_case < 0 ? all : first + 1;
     for (int k = first; k < last && deaths_ < deaths_allowed_; ++k) {
       if (interrupted() != 0) {
@@ -107,14 +108,14 @@ class Trial {
       if (run.death->kind == Death::Kind::timeout) deaths_allowed_ = std::min(deaths_allowed_, std::max(2, deaths_));
       return;
     }
-    const double ratio = ratio_of(check_, s, run.replies, false, rubric_.tolerance);
+    const double ratio = ratio_of(check_, s, run.replies, false, rubric_.tolerance_of(check_));
     const Judgement judgement = check_.judge(s, run.replies, false);
     if (!judgement.note.empty() && std::find(result_.notes.begin(), result_.notes.end(), judgement.note) == result_.notes.end())
       result_.notes.push_back(judgement.note);
     if (!(ratio <= result_.worst_ratio)) result_.worst_ratio = ratio;
     if (!(ratio <= 1)) {
       if (failed_at_ < 0) failed_at_ = number;
-      follows_ = follows_ && ratio_of(check_, s, run.replies, true, rubric_.tolerance) <= 1;
+      follows_ = follows_ && ratio_of(check_, s, run.replies, true, rubric_.tolerance_of(check_)) <= 1;
     }
     records_.push_back({s, std::move(run.replies)});
   }
@@ -141,7 +142,7 @@ class Trial {
       result_.verdict = Verdict::fail;
       show(failed_at_, [&](const Scenario& s) {
         const Run run = run_case(student_, check_, s);
-        return !run.death && !(ratio_of(check_, s, run.replies, false, rubric_.tolerance) <= 1);
+        return !run.death && !(ratio_of(check_, s, run.replies, false, rubric_.tolerance_of(check_)) <= 1);
       });
     }
     if (result_.verdict == Verdict::pass) result_.points = result_.max_points;
@@ -213,6 +214,18 @@ void keep_pictures(const Check& check, const Record& seen, Report& report) {
   }
 }
 
+// A reading the rubric does not take for right.
+void apply_refused(CheckResult& result, const std::set<std::string>& refused) {
+  if (result.verdict != Verdict::pass) return;
+  for (const std::string& id : refused) {
+    const Misconception& reading = *find_misconception(id);
+    if (std::find(result.notes.begin(), result.notes.end(), reading.text) == result.notes.end()) continue;
+    result.verdict = Verdict::fail;
+    result.points = 0;
+    result.words = "not accepted by the rubric: " + reading.text;
+  }
+}
+
 // A failure whose whole explanation the rubric accepts counts as right.
 void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) {
   if (result.verdict != Verdict::fail || result.diagnosis.empty()) return;
@@ -264,20 +277,30 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
   diagnose(histories);
   for (CheckResult& result : report.results) {
     apply_accepted(result, rubric.accepted);
+    apply_refused(result, rubric.refused);
+    result.group = rubric.group_of(*result.check);
+    result.visibility = name(rubric.visibility_of(*result.check));
     report.score += result.points;
     report.max_score += result.max_points;
   }
+  const std::vector<std::string> groups = rubric.group_names();
+  const auto place = [&](const CheckResult& r) { return std::find(groups.begin(), groups.end(), r.group) - groups.begin(); };
+  std::stable_sort(report.results.begin(), report.results.end(), [&](const CheckResult& a, const CheckResult& b) { return place(a) < place(b); });
 }
 
 Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const Selection& selection, const BuildOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const auto built = build(submission, options);
+  BuildOptions plain = options;
+  plain.sanitize = false;
+  const auto built = build(submission, plain);
   if (!built) return built.fault();
   Report report;
   report.rubric_title = rubric.title;
   report.rubric_hash = rubric.hash();
   report.submission = submission.name;
   report.submission_hash = submission.hash;
+  report.kit_hash = kit_hash();
+  report.tool_hash = tool_hash();
   report.seed = rubric.seed;
   report.cases = rubric.cases;
   report.notes = submission.notes;
@@ -306,6 +329,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
     return answer;
   };
   judge(student, functions, rubric, selection, report);
+  if (options.sanitize && interrupted() == 0) report.notes.push_back(sanitizer_advice(submission, rubric, options));
   if (report.output.size() > 4096) report.output.resize(4096);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

@@ -7,8 +7,10 @@ using F = StudentFunction;
 using H = Habits;
 
 // To add one: a row here; if no habit can express it, a habit in model.hpp and its place in model.cpp.
-const std::vector<Misconception>& misconceptions() {
-  static const std::vector<Misconception> rows{
+namespace {
+
+std::vector<Misconception> known_misconceptions() {
+  return {
       // computeBodyCoordsMOI
       {"moi.no-twelfth", F::body_inertia, "inertia.cuboid", "the factor 1/12 is missing", [](H& h) { h.inertia_factor = 1; }},
       {"moi.sixth", F::body_inertia, "inertia.cuboid", "the factor is 1/6 instead of 1/12", [](H& h) { h.inertia_factor = 1.0 / 6; }},
@@ -138,7 +140,17 @@ const std::vector<Misconception>& misconceptions() {
       {"pair.inertia-not-inverted", F::pair_response, "inertia.world_inverse", "the inertia is used where its inverse belongs", [](H& h) { h.pair.tensor = H::Impulse::Tensor::world; }},
       {"pair.not-over-mass", F::pair_response, "impulse.apply_pair", "the impulse is added to the velocities without dividing by the mass", [](H& h) { h.pair.divides_by_mass = false; }},
   };
-  return rows;
+}
+
+}  // namespace
+
+const std::vector<Misconception>& misconceptions() {
+  static const std::vector<Misconception> all = [] {
+    std::vector<Misconception> list = known_misconceptions();
+    for (Misconception& own : own_misconceptions()) list.push_back(std::move(own));
+    return list;
+  }();
+  return all;
 }
 
 const std::vector<Misconception>& variants() {
@@ -151,17 +163,22 @@ const std::vector<Misconception>& variants() {
       {"exponential", F::update, "rotation.rate", "exponential map", [](H& h) { h.repair = H::Repair::exponential; }},
       {"quaternion", F::update, "rotation.rate", "normalised quaternion", [](H& h) { h.repair = H::Repair::quaternion; }},
       {"uses-delta-t", F::update, "step.semi_implicit", "DELTA_T instead of the argument (the same value in every call here)", [](H& h) { h.uses_delta_t = true; }},
-      {"tangent-against-slip", F::friction_tangent, "friction.tangent", "the tangent points the way friction pushes", [](H& h) { h.tangent_factor = -1; h.friction_sign = -1; }},
+      {"tangent-against-slip", F::friction_tangent, "friction.tangent", "tangent against the slip", [](H& h) { h.tangent_factor = -1; h.friction_sign = -1; }},
       {"no-approach-test", F::plane_response, "impulse.normal", "no test whether the contact approaches", [](H& h) { h.tests_approach = false; }},
       {"corners-reversed", F::plane_response, "impulse.apply", "corners in another order", [](H& h) { h.corners = H::Corners::reversed; }},
       {"deepest-corner", F::plane_response, "impulse.apply", "only the deepest corner is resolved", [](H& h) { h.corners = H::Corners::deepest; }},
       {"mean-contact", F::plane_response, "impulse.apply", "one contact at the mean of the corners", [](H& h) { h.corners = H::Corners::mean; }},
       {"correction-each-corner", F::plane_response, "contact.correction", "every corner's depth is added up", [](H& h) { h.correction = H::Correction::each_corner; }},
       {"friction-before", F::plane_response, "friction.sheet", "slip taken before the normal impulse", [](H& h) { h.friction_before = true; }},
-      {"friction-effective-mass", F::plane_response, "friction.coulomb", "the tangential effective mass in place of m", [](H& h) { h.friction = H::Friction::effective_mass; }},
-      {"friction-literal", F::plane_response, "friction.sheet_literal", "the printed rule read literally: every slip slides", [](H& h) { h.friction = H::Friction::literal; }},
+      {"friction-effective-mass", F::plane_response, "friction.coulomb", "friction with the tangential effective mass", [](H& h) { h.friction = H::Friction::effective_mass; }},
+      {"friction-literal", F::plane_response, "friction.sheet_literal", "literal friction rule: every slip slides", [](H& h) { h.friction = H::Friction::literal; }},
   };
   return rows;
+}
+
+const std::vector<std::string>& refusable_readings() {
+  static const std::vector<std::string> ids{"friction-literal", "friction-effective-mass", "tangent-against-slip"};
+  return ids;
 }
 
 const Misconception* find_misconception(const std::string& id) {

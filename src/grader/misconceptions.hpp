@@ -18,8 +18,13 @@ struct Misconception {
 
 /// Wrong: must fail a check, and is named to the student.
 const std::vector<Misconception>& misconceptions();
+/// An instructor's, in own.cpp; they are among the above.
+std::vector<Misconception> own_misconceptions();
 /// Legitimate readings of the assignment: must pass everything, and are named in the report.
 const std::vector<Misconception>& variants();
+
+/// The readings whose text (Misconception::text) a judge gives as its note: a rubric can refuse these.
+const std::vector<std::string>& refusable_readings();
 
 const Misconception* find_misconception(const std::string& id);
 /// The model student with the given misconceptions (ids separated by '+'; "" is right).

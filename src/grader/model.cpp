@@ -286,6 +286,7 @@ Reply model_answer(const Habits& h, const Constants& k, const Request& q) {
       r.constants[2] = k.dynamic_friction, r.constants[3] = k.delta_t;
       break;
   }
+  if (h.besides != nullptr) h.besides(k, q, r);
   return r;
 }
 

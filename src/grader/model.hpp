@@ -77,6 +77,9 @@ struct Habits {
   bool first_body = true, second_body = true;  // receives its impulse
   bool first_spins = true, second_spins = true;
   bool masses_swapped = false, one_arm = false, relative_reversed = false, same_direction = false, tensors_swapped = false;
+
+  /// What no habit above expresses: changes the answer of a student who is right otherwise (own.cpp).
+  void (*besides)(const Constants&, const Request&, Reply&) = nullptr;
 };
 
 /// What a student with these habits would answer. Never fails; numbers may be nonsense, as a student's may.

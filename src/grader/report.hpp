@@ -29,6 +29,8 @@ struct Diagnosis {
 
 struct CheckResult {
   const Check* check = nullptr;
+  std::string group;       ///< the heading it stands under; checks of one group follow each other
+  const char* visibility = "visible";  ///< to students, in Gradescope's words
   Verdict verdict = Verdict::skipped;
   double points = 0, max_points = 0;
   int cases = 0;           ///< run
@@ -53,7 +55,7 @@ struct SceneTrace {
 /// Everything that is known about one graded submission; every format is written from this.
 struct Report {
   std::string tool, rubric_title, rubric_hash;
-  std::string submission, submission_path, submission_hash;
+  std::string submission, submission_path, submission_hash, kit_hash, tool_hash;
   std::uint64_t seed = 0;
   int cases = 0;
   std::vector<std::string> isolation, notes;

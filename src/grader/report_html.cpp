@@ -79,7 +79,7 @@ std::string summary(const Report& report) {
   std::vector<double> points, most;
   std::string lost;
   for (const CheckResult& r : report.results) {
-    if (groups.empty() || groups.back()[0] != r.check->group) groups.push_back({r.check->group}), points.push_back(0), most.push_back(0);
+    if (groups.empty() || groups.back()[0] != r.group) groups.push_back({r.group}), points.push_back(0), most.push_back(0);
     points.back() += r.points;
     most.back() += r.max_points;
     if (r.points >= r.max_points) continue;
@@ -107,7 +107,7 @@ std::string report_html(const Report& report) {
   page.body = summary(report);
   std::string group;
   for (const CheckResult& r : report.results) {
-    if (r.check->group != group) page.body += "<h2>" + escape(group = r.check->group) + "</h2>\n" + (&r == &report.results.front() ? symbols : "");
+    if (r.group != group) page.body += "<h2>" + escape(group = r.group) + "</h2>\n" + (&r == &report.results.front() ? symbols : "");
     page.body += one(report, r);
   }
   if (report.ladder) page.body += "<h2>How update converges</h2>\n" + ladder_figures(*report.ladder);

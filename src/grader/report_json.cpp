@@ -33,9 +33,11 @@ Json counterexample(const Counterexample& e) {
 std::string report_json(const Report& report) {
   Json json{{"schema", "rigor.report/1"},
             {"tool", report.tool},
+            {"tool_hash", report.tool_hash},
             {"rubric", report.rubric_title},
             {"rubric_hash", report.rubric_hash},
             {"submission", {{"name", report.submission}, {"path", report.submission_path}, {"hash", report.submission_hash}}},
+            {"kit_hash", report.kit_hash},
             {"seed", report.seed},
             {"cases", report.cases},
             {"isolation", report.isolation},
@@ -45,7 +47,8 @@ std::string report_json(const Report& report) {
   json["checks"] = Json::array();
   for (const CheckResult& r : report.results) {
     Json check{{"id", r.check->id},
-               {"group", r.check->group},
+               {"group", r.group},
+               {"visibility", r.visibility},
                {"function", student_function_name(r.check->function)},
                {"formula", r.check->formula},
                {"says", r.check->says},

@@ -93,11 +93,11 @@ std::string report_text(const Report& report, bool colour) {
   t.out += t.paint("1", plain(printable(report.submission)) + ": " + format("%g", report.score) + " of " + format("%g", report.max_score)) + "\n";
   std::string group;
   for (const CheckResult& r : report.results) {
-    if (r.check->group != group) {
+    if (r.group != group) {
       double points = 0, most = 0;
       for (const CheckResult& other : report.results)
-        if (other.check->group == r.check->group) points += other.points, most += other.max_points;
-      t.out += "\n" + t.paint("1", (group = r.check->group)) + "  " + format("%g", points) + " of " + format("%g", most) + "\n";
+        if (other.group == r.group) points += other.points, most += other.max_points;
+      t.out += "\n" + t.paint("1", (group = r.group)) + "  " + format("%g", points) + " of " + format("%g", most) + "\n";
     }
     add_result(t, report, r);
   }

@@ -1,5 +1,6 @@
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <rigor/base/file.hpp>
 #include <rigor/base/suggest.hpp>
@@ -46,13 +47,63 @@ Outcome<bool> read_limits(const toml::table& table, const std::string& where, Li
   return true;
 }
 
-Outcome<bool> read_points(const toml::table& table, const std::string& where, std::map<std::string, double>& points) {
+std::vector<std::string> check_ids() {
   std::vector<std::string> ids;
   for (const Check& check : checks()) ids.push_back(check.id);
-  for (const auto& [key, node] : table) {
+  return ids;
+}
+
+// A table with a value for each check it names; `read` takes one.
+template <class Read>
+Outcome<bool> read_by_check(const toml::node& node, const std::string& where, Read read) {
+  if (!node.is_table()) return Fault{Kind::wrong_type, where, "must be a table: a line for each check"};
+  for (const auto& [key, value] : *node.as_table()) {
     const std::string id(key.str());
-    if (find_check(id) == nullptr) return unknown(where, id, ids);
-    if (const auto ok = take(node, where + ".\"" + id + "\"", 0, 1e6, points[id]); !ok) return ok;
+    if (find_check(id) == nullptr) return unknown(where, id, check_ids());
+    if (const Outcome<bool> ok = read(value, where + ".\"" + id + "\"", id); !ok) return ok;
+  }
+  return true;
+}
+
+Outcome<bool> read_visibility(const toml::node& node, const std::string& where, Visibility& visibility) {
+  const auto text = node.value<std::string>();
+  for (const Visibility v : {Visibility::visible, Visibility::hidden, Visibility::after_due_date, Visibility::after_published})
+    if (text && *text == name(v)) {
+      visibility = v;
+      return true;
+    }
+  return Fault{Kind::out_of_range, where, "must be \"visible\", \"hidden\", \"after_due_date\" or \"after_published\""};
+}
+
+// "Collision" = ["plane.impulse", ...]: every check at most once, no empty heading, names that every platform takes.
+Outcome<bool> read_groups(const toml::node& node, const std::string& where, Rubric& rubric) {
+  if (!node.is_table()) return Fault{Kind::wrong_type, where, "must be a table: [groups]"};
+  std::map<std::size_t, std::string> order;  // TOML tables are sorted by name: the file's order is that of the lines
+  for (const auto& [key, list] : *node.as_table()) {
+    const std::string group(key.str()), at = where + ".\"" + group + "\"";
+    if (group.empty() || group.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 _-") != std::string::npos)
+      return Fault{Kind::out_of_range, at, "must be of letters, digits, blanks, _ and - (Autolab takes no others)"};
+    if (!list.is_array() || list.as_array()->empty()) return Fault{Kind::wrong_type, at, "must be a list of at least one check id"};
+    for (const toml::node& item : *list.as_array()) {
+      const auto id = item.value<std::string>();
+      if (!id) return Fault{Kind::wrong_type, at, "must be a list of check ids in quotes"};
+      if (find_check(*id) == nullptr) return Fault{Kind::unknown_key, at, "there is no check '" + *id + "'" + did_you_mean(*id, check_ids())};
+      if (!rubric.groups.emplace(*id, group).second) return Fault{Kind::out_of_range, at, "'" + *id + "' is in '" + rubric.groups[*id] + "' already"};
+    }
+    order[(std::size_t(key.source().begin.line) << 16) + key.source().begin.column] = group;
+  }
+  for (const auto& [line, group] : order) rubric.group_order.push_back(group);
+  return true;
+}
+
+Outcome<bool> read_refused(const toml::node& node, const std::string& where, std::set<std::string>& refused) {
+  if (!node.is_array()) return Fault{Kind::wrong_type, where, "must be a list of readings"};
+  for (const toml::node& item : *node.as_array()) {
+    const auto id = item.value<std::string>();
+    const auto& known = refusable_readings();
+    if (!id || std::find(known.begin(), known.end(), *id) == known.end())
+      return Fault{Kind::unknown_key, where, "must be readings a check can tell: friction-literal, friction-effective-mass, tangent-against-slip"};
+    refused.insert(*id);
   }
   return true;
 }
@@ -84,20 +135,45 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
     } else if (name == "seed") {
       ok = take(node, where, 0, 9007199254740992.0, number);
       rubric.seed = std::uint64_t(number);
+    } else if (name == "practice_seed") {
+      ok = take(node, where, 0, 9007199254740992.0, number);
+      rubric.practice_seed = std::uint64_t(number);
     } else if (name == "cases") {
       ok = take(node, where, 1, 100000, number);
       rubric.cases = int(number);
     } else if (name == "tolerance") {
       ok = take(node, where, 0.01, 1000, rubric.tolerance);
-    } else if (name == "limits" || name == "points") {
-      if (!node.is_table()) ok = Fault{Kind::wrong_type, where, "must be a table: [" + name + "]"};
-      else ok = name == "limits" ? read_limits(*node.as_table(), where, rubric.limits) : read_points(*node.as_table(), where, rubric.points);
+    } else if (name == "limits") {
+      if (!node.is_table()) ok = Fault{Kind::wrong_type, where, "must be a table: [limits]"};
+      else ok = read_limits(*node.as_table(), where, rubric.limits);
+    } else if (name == "points") {
+      ok = read_by_check(node, where, [&](const toml::node& value, const std::string& at, const std::string& id) { return take(value, at, 0, 1e6, rubric.points[id]); });
+    } else if (name == "tolerances") {
+      ok = read_by_check(node, where, [&](const toml::node& value, const std::string& at, const std::string& id) { return take(value, at, 0.01, 1000, rubric.tolerances[id]); });
+    } else if (name == "case_counts") {
+      ok = read_by_check(node, where, [&](const toml::node& value, const std::string& at, const std::string& id) {
+        double count = 0;
+        const int most = find_check(id)->cases;
+        const auto taken = take(value, at, 1, most != 0 ? most : 100000, count);
+        rubric.case_counts[id] = int(count);
+        return taken;
+      });
+    } else if (name == "visibility") {
+      ok = read_by_check(node, where, [&](const toml::node& value, const std::string& at, const std::string& id) { return read_visibility(value, at, rubric.visibilities[id]); });
+    } else if (name == "groups") {
+      ok = read_groups(node, where, rubric);
     } else if (name == "accept") {
       ok = read_accepted(node, where, rubric.accepted);
+    } else if (name == "refuse") {
+      ok = read_refused(node, where, rubric.refused);
     } else {
-      ok = unknown(file, name, {"title", "seed", "cases", "tolerance", "limits", "points", "accept"});
+      ok = unknown(file, name, {"title", "seed", "practice_seed", "cases", "tolerance", "accept", "refuse", "limits", "groups", "points", "tolerances", "case_counts", "visibility"});
     }
     if (!ok) return ok.fault();
+  }
+  if (rubric.seed == rubric.practice_seed) {
+    if (root.contains("practice_seed")) return Fault{Kind::out_of_range, file + ": practice_seed", "is the seed of the graded cases, must be another"};
+    ++rubric.practice_seed;
   }
   double total = 0;
   for (const Check& check : checks()) total += rubric.points_of(check);
@@ -107,12 +183,31 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
 
 }  // namespace
 
+const char* name(Visibility visibility) {
+  switch (visibility) {
+    case Visibility::visible: return "visible";
+    case Visibility::hidden: return "hidden";
+    case Visibility::after_due_date: return "after_due_date";
+    case Visibility::after_published: return "after_published";
+  }
+  return "";
+}
+
+std::vector<std::string> Rubric::group_names() const {
+  std::vector<std::string> names = group_order;
+  for (const Check& check : checks())
+    if (std::find(names.begin(), names.end(), group_of(check)) == names.end()) names.push_back(group_of(check));
+  return names;
+}
+
 std::string Rubric::hash() const {
   std::ostringstream all;
   all.precision(17);
   all << seed << ' ' << cases << ' ' << tolerance << ' ' << limits.call_s << ' ' << limits.total_s << ' ' << limits.memory_bytes << ' ' << limits.output_bytes;
-  for (const Check& check : checks()) all << ' ' << check.id << '=' << points_of(check);
+  for (const Check& check : checks())
+    all << ' ' << check.id << '=' << points_of(check) << '/' << tolerance_of(check) << '/' << cases_of(check) << '/' << name(visibility_of(check)) << '/' << group_of(check);
   for (const std::string& id : accepted) all << " +" << id;
+  for (const std::string& id : refused) all << " -" << id;
   std::uint64_t hash = 14695981039346656037u;  // FNV-1a: names a rubric, guards against nothing
   for (const char c : all.str()) hash = (hash ^ std::uint8_t(c)) * 1099511628211u;
   std::ostringstream hex;
@@ -142,22 +237,33 @@ std::string default_rubric_text() {
   out << "# The default rubric of rigor. Every key may be left out; these are the values then used.\n"
       << "title = \"" << d.title << "\"      # shown on the report\n"
       << "seed = " << d.seed << "            # of the graded cases: fix one per assignment and keep it to yourself\n"
+      << "practice_seed = " << d.practice_seed << "          # of the cases students practise on: goes out with the kit\n"
       << "cases = " << d.cases << "                # random inputs per check; a check is all or nothing\n"
       << "tolerance = " << d.tolerance << "              # multiplies every bound (derivations: docs/grading.md)\n"
-      << "accept = []                # misconceptions that count as right, for example [\"plane.printed-restitution\"]\n\n"
+      << "accept = []                # misconceptions that count as right, for example [\"plane.printed-restitution\"]\n"
+      << "refuse = []                # readings that do not, for example [\"friction-literal\"]\n\n"
       << "[limits]                   # for the student's code\n"
       << "call_seconds = " << d.limits.call_s << "         # processor time of one call\n"
       << "total_seconds = " << d.limits.total_s << "         # of one process\n"
-      << "memory_mb = " << (d.limits.memory_bytes >> 20) << "\n\n[points]\n";
-  std::string group;
-  for (const Check& check : checks()) {
-    if (check.group != group) {
-      double sum = 0;
-      for (const Check& other : checks()) sum += other.group == check.group ? other.points : 0;
-      out << "# " << (group = check.group) << ": " << sum << "\n";
-    }
-    out << "\"" << check.id << "\" = " << check.points << "  # " << check.says << "\n";
+      << "memory_mb = " << (d.limits.memory_bytes >> 20) << "            # address space of one process\n\n"
+      << "[groups]                   # the headings of the report and the problems of Autolab, in this order\n";
+  for (const std::string& group : d.group_names()) {
+    std::string ids;
+    for (const Check& check : checks())
+      if (check.group == group) ids += (ids.empty() ? "\"" : ", \"") + check.id + "\"";
+    out << "\"" << group << "\" = [" << ids << "]\n";
   }
+  out << "\n[points]                   # 0 makes a check advice\n";
+  for (const std::string& group : d.group_names()) {
+    double sum = 0;
+    for (const Check& check : checks()) sum += check.group == group ? check.points : 0;
+    out << "# " << group << ": " << sum << "\n";
+    for (const Check& check : checks())
+      if (check.group == group) out << "\"" << check.id << "\" = " << check.points << "  # " << check.says << "\n";
+  }
+  out << "\n[tolerances]               # of single checks, multiplied with the one above: \"update.spin-rate\" = 2\n"
+      << "[case_counts]              # of single checks in place of the number above: \"plane.impulse\" = 1000\n"
+      << "[visibility]               # on Gradescope: visible (where none is given), hidden, after_due_date, after_published\n";
   return out.str();
 }
 

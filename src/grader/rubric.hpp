@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -9,16 +10,29 @@
 
 namespace rigor::grader {
 
+/// When students see a check's result, on a platform that can hide it (Gradescope).
+enum class Visibility { visible, hidden, after_due_date, after_published };
+const char* name(Visibility visibility);
+
 /// What an instructor decides: points, accepted readings, how many cases, which seed, limits. docs/rubric.md goes
 /// through the default line by line.
 struct Rubric {
   std::string title = "Rigid body dynamics";
-  std::uint64_t seed = 20260414;
+  std::uint64_t seed = 20260414;           ///< of the graded cases
+  std::uint64_t practice_seed = 1;         ///< of the cases students practise on (the exported kit)
   int cases = 200;
   double tolerance = 1;                    ///< multiplies every derived bound
   Limits limits;
-  std::map<std::string, double> points;    ///< by check id
   std::set<std::string> accepted;          ///< misconceptions that count as right: "plane.printed-restitution"
+  std::set<std::string> refused;           ///< readings that do not: "friction-literal"
+
+  // by check id, where they differ from the default
+  std::map<std::string, double> points;
+  std::map<std::string, double> tolerances;  ///< on top of `tolerance`
+  std::map<std::string, int> case_counts;
+  std::map<std::string, Visibility> visibilities;
+  std::map<std::string, std::string> groups;  ///< the heading it stands under
+  std::vector<std::string> group_order;       ///< of the headings named in the file; others follow
 
   /// Changes with everything that could change a grade.
   std::string hash() const;
@@ -26,6 +40,26 @@ struct Rubric {
     const auto it = points.find(check.id);
     return it == points.end() ? check.points : it->second;
   }
+  double tolerance_of(const Check& check) const {
+    const auto it = tolerances.find(check.id);
+    return tolerance * (it == tolerances.end() ? 1 : it->second);
+  }
+  /// Some checks take long and have a number of their own, which a rubric may only lower.
+  int cases_of(const Check& check) const {
+    const auto it = case_counts.find(check.id);
+    const int asked = it == case_counts.end() ? cases : it->second;
+    return check.cases != 0 ? std::min(check.cases, asked) : asked;
+  }
+  Visibility visibility_of(const Check& check) const {
+    const auto it = visibilities.find(check.id);
+    return it == visibilities.end() ? Visibility::visible : it->second;
+  }
+  const std::string& group_of(const Check& check) const {
+    const auto it = groups.find(check.id);
+    return it == groups.end() ? check.group : it->second;
+  }
+  /// The headings of the report in their order.
+  std::vector<std::string> group_names() const;
 };
 
 /// Reads a TOML rubric. Faults name the file and key; unknown keys and ids come with a suggestion.

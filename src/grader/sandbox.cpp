@@ -123,7 +123,8 @@ std::vector<std::string> bubblewrap_arguments(const Confined& what) {
   for (const std::string& variable : environment_of(what))
     add({"--setenv", variable.substr(0, variable.find('=')), variable.substr(variable.find('=') + 1)});
   if (layers().filter) add({"--seccomp", std::to_string(filter_fd)});
-  if (what.profile == Profile::compiler) {
+  if (what.profile == Profile::sanitizer) add({"--proc", "/proc"});
+  if (what.profile != Profile::worker) {
     add({"--ro-bind", "/usr", "/usr", "--tmpfs", "/tmp"});
     for (const char* dir : {"/bin", "/lib", "/lib32", "/lib64", "/libx32"}) {
       std::error_code ec;
@@ -143,6 +144,11 @@ std::vector<std::string> bubblewrap_arguments(const Confined& what) {
 void limit(int resource, std::uint64_t value) {
   const rlimit both{value, value};
   syscall(SYS_prlimit64, 0, resource, &both, nullptr);
+}
+
+SystemCallFilter filter_of(Profile profile, pid_t self) {
+  if (profile == Profile::worker) return worker_filter(self);
+  return profile == Profile::sanitizer ? sanitizer_filter() : compiler_filter();
 }
 
 /// Between fork and exec: nothing here allocates.
@@ -182,7 +188,7 @@ void limit(int resource, std::uint64_t value) {
     if (chdir(what.directory.c_str()) != 0) _exit(127);
     // (a worker opens no file at all: its filter refuses)
     if (!worker && layers().landlock && !keep_to(what.readable, what.writable)) _exit(127);
-    if (layers().filter && !install(worker ? worker_filter(getpid()) : compiler_filter())) _exit(127);
+    if (layers().filter && !install(filter_of(what.profile, getpid()))) _exit(127);
   }
   execve(argv[0], argv, environment);
   _exit(127);
@@ -209,7 +215,7 @@ Outcome<Child> start(const Confined& what) {
   if (layers().namespaces) {
     promise(pipe2(information, O_CLOEXEC) == 0, "a pipe can be had");
     if (layers().filter)
-      filter = filter_file(what.profile == Profile::worker ? worker_filter(0) : compiler_filter());
+      filter = filter_file(filter_of(what.profile, 0));
   }
   const pid_t pid = fork();
   if (pid == 0) become(what, argv.data(), environment.data(), information[1], filter);

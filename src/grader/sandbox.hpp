@@ -10,8 +10,9 @@
 
 namespace rigor::grader {
 
-/// What a confined process is: a worker runs a student's code, a compiler only reads it.
-enum class Profile { worker, compiler };
+/// What a confined process is: a worker runs a student's code, a compiler only reads it, a sanitizer runs it with the
+/// system's libraries and /proc in sight, which the sanitizers need; nothing it says is a grade.
+enum class Profile { worker, compiler, sanitizer };
 
 struct ProcessLimits {
   std::uint64_t cpu_s, memory_bytes, file_bytes;

@@ -70,29 +70,52 @@ void when_with(SystemCallFilter& f, long number, const Argument (&arguments)[N])
 
 }  // namespace
 
+namespace {
+
+/// What any program needs that has its descriptors already.
+constexpr long worker_calls[] = {
+    SYS_read, SYS_write, SYS_readv, SYS_writev, SYS_close, SYS_fstat, SYS_newfstatat, SYS_lseek,  // what it has
+    SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise,                         // memory
+    SYS_clock_gettime, SYS_clock_getres, SYS_clock_nanosleep, SYS_nanosleep, SYS_gettimeofday,    // time
+    SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack,                      // its own signals
+    SYS_getpid, SYS_gettid, SYS_getuid, SYS_getrandom, SYS_futex, SYS_sched_yield,
+    SYS_uname,  // a static program of an older C library asks for the kernel before anything else
+    SYS_wait4,   // bubblewrap waits for the program under the same filter
+    SYS_execve,  // once, by whoever starts it; there is nothing else to execute
+    SYS_set_tid_address, SYS_set_robust_list, SYS_rseq, SYS_exit, SYS_exit_group,
+#if defined(__x86_64__)
+    SYS_arch_prctl, SYS_time,
+#endif
+};
+
+}  // namespace
+
 SystemCallFilter worker_filter(pid_t self) {
   SystemCallFilter f;
   begin(f);
-  constexpr long calls[] = {
-      SYS_read, SYS_write, SYS_readv, SYS_writev, SYS_close, SYS_fstat, SYS_newfstatat, SYS_lseek,  // what it has
-      SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise,                         // memory
-      SYS_clock_gettime, SYS_clock_getres, SYS_clock_nanosleep, SYS_nanosleep, SYS_gettimeofday,    // time
-      SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack,                      // its own signals
-      SYS_getpid, SYS_gettid, SYS_getuid, SYS_getrandom, SYS_futex, SYS_sched_yield,
-      SYS_uname,  // a static program of an older C library asks for the kernel before anything else
-      SYS_wait4,   // bubblewrap waits for the program under the same filter
-      SYS_execve,  // once, by whoever starts it; there is nothing else to execute
-      SYS_set_tid_address, SYS_set_robust_list, SYS_rseq, SYS_exit, SYS_exit_group,
-#if defined(__x86_64__)
-      SYS_arch_prctl, SYS_time,
-#endif
-  };
-  for (const long call : calls) when(f, call, allowed);
+  for (const long call : worker_calls) when(f, call, allowed);
   when_with(f, SYS_prlimit64, {{0, 0}, {2, 0}});  // its own limits, to read
   if (self == 0)
     when_with(f, SYS_tgkill, {{2, SIGABRT}});
   else
     when_with(f, SYS_tgkill, {{0, unsigned(self)}, {2, SIGABRT}});
+  give(f, refused);
+  return f;
+}
+
+SystemCallFilter sanitizer_filter() {
+  SystemCallFilter f;
+  begin(f);
+  for (const long call : worker_calls) when(f, call, allowed);
+  constexpr long more[] = {
+      SYS_openat, SYS_pread64, SYS_readlinkat, SYS_faccessat, SYS_faccessat2, SYS_getdents64, SYS_fcntl, SYS_getcwd, SYS_ioctl,  // files
+      SYS_getppid, SYS_geteuid, SYS_getgid, SYS_getegid, SYS_sched_getaffinity, SYS_sysinfo, SYS_getrusage, SYS_dup,            // itself
+#if defined(__x86_64__)
+      SYS_open, SYS_access, SYS_readlink, SYS_stat, SYS_lstat, SYS_getrlimit,
+#endif
+  };
+  for (const long call : more) when(f, call, allowed);
+  when_with(f, SYS_prlimit64, {{0, 0}, {2, 0}});
   give(f, refused);
   return f;
 }

@@ -26,6 +26,10 @@ SystemCallFilter worker_filter(pid_t self);
 /// mounts, namespaces, kernel interfaces).
 SystemCallFilter compiler_filter();
 
+/// For a student's code under sanitizers: a worker's, and what the loader and the sanitizers ask for (files to read, facts
+/// about itself). No socket, no new process or thread.
+SystemCallFilter sanitizer_filter();
+
 /// Installs it for the calling process and all it becomes; false when the kernel will not.
 bool install(const SystemCallFilter& filter);
 

@@ -122,14 +122,14 @@ TEST(Autolab, SurvivesItsParser) {
   const auto told = nlohmann::json::parse(feedback);
   EXPECT_EQ(told["_presentation"], "semantic");
   for (const auto& stage : told["stages"]) EXPECT_TRUE(told.contains(stage.get<std::string>())) << stage;
-  EXPECT_FALSE(nlohmann::json::parse(autolab_failure("no: files").substr(0, autolab_failure("no: files").find('\n')))["Build"]["compiles"]["passed"].get<bool>());
+  EXPECT_FALSE(nlohmann::json::parse(autolab_failure("no: files", Rubric{}.group_names()).substr(0, autolab_failure("no: files", Rubric{}.group_names()).find('\n')))["Build"]["compiles"]["passed"].get<bool>());
 }
 
 // Of Autolab's other traps: status 0, the problems of the yml and an old image are tried by the exported lab
 // (tests/cli/export_test.cpp, tests/cli/older-root), forging the last line by tests/submissions/hostile/leaves-a-child.
 TEST(AutolabTraps, LastLineHasOnlyTameNamesAndNumbers) {
   const std::regex allowed(R"(\{"scores":\{("[A-Za-z0-9 _-]+":-?[0-9][0-9.e+-]*,?)+\},"scoreboard":\[-?[0-9][0-9.e+-]*\]\})");
-  for (const std::string& text : {report_autolab(failing_report()), autolab_failure("word: {\"scores\"} no\nfiles")}) {
+  for (const std::string& text : {report_autolab(failing_report()), autolab_failure("word: {\"scores\"} no\nfiles", Rubric{}.group_names())}) {
     ASSERT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
     const std::string last = text.substr(text.find('\n') + 1, text.size() - text.find('\n') - 2);
     EXPECT_TRUE(std::regex_match(last, allowed)) << last;
@@ -163,7 +163,7 @@ TEST(AutolabTraps, FailureHasTheSameProblemsAsAGrade) {
     for (const auto& [name, points] : nlohmann::ordered_json::parse(text.substr(text.find('\n') + 1))["scores"].items()) names.push_back(name);
     return names;
   };
-  EXPECT_EQ(problems(report_autolab(failing_report())), problems(autolab_failure("x")));
+  EXPECT_EQ(problems(report_autolab(failing_report())), problems(autolab_failure("x", Rubric{}.group_names())));
 }
 
 }  // namespace

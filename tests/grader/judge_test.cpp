@@ -107,7 +107,8 @@ TEST(Judge, InventsNothingForAMistakeItDoesNotKnow) {
   const Report report = judged(
       [](const Call& call) -> Answer {
         Reply r = model_answer(Habits{}, call.constants, call.request);
-        if (call.request.function == std::uint32_t(Function::pair_response)) r.A.velocity[0] += 0.3 * std::sin(r.A.position[1]);
+        if (call.request.function != std::uint32_t(Function::pair_response)) return r;
+        for (int i = 0; i < 3; ++i) r.A.velocity[i] += 0.3 * std::sin(r.A.position[(i + 1) % 3]);
         return r;
       },
       24, 3);
@@ -227,36 +228,6 @@ TEST(Judge, AcceptsWhatTheRubricAccepts) {
   const char* both = "plane.printed-restitution+pair.printed-restitution";
   EXPECT_EQ(failing(judged(both, 24, 3)), (Ids{"plane.restitution", "pair.restitution"}));
   EXPECT_EQ(judged(both, 24, 3, rubric).score, 100);
-}
-
-TEST(Rubric, TheDefaultTextReadsBackAsTheDefault) {
-  const auto rubric = parse_rubric(default_rubric_text(), "default");
-  ASSERT_TRUE(rubric) << rubric.fault().text();
-  EXPECT_EQ(rubric->seed, Rubric{}.seed);
-  EXPECT_EQ(rubric->cases, Rubric{}.cases);
-  for (const Check& check : checks()) EXPECT_EQ(rubric->points_of(check), check.points) << check.id;
-}
-
-TEST(Rubric, SaysWhatIsWrongAndWhere) {
-  const std::vector<std::pair<std::string, std::string>> bad{
-      {"casez = 3", "r unknown key 'casez' (did you mean 'cases'?)"},
-      {"cases = 0", "r: cases is 0, must be in [1, 100000]"},
-      {"cases = \"many\"", "r: cases must be a number"},
-      {"tolerance = nan", "r: tolerance is nan, must be in [0.01, 1000]"},
-      {"tolerance = -inf", "r: tolerance is -inf, must be in [0.01, 1000]"},
-      {"[points]\n\"moi.body\" = -1", "r: points.\"moi.body\" is -1, must be in [0, 1e+06]"},
-      {"[points]\n\"moi.bodi\" = 1", "r: points unknown key 'moi.bodi' (did you mean 'moi.body'?)"},
-      {"accept = [\"plane.printed\"]", "r: accept there is no misconception 'plane.printed'"},
-      {"accept = 3", "r: accept must be a list of misconception ids"},
-      {"[limits]\ncall_seconds = 0", "r: limits.call_seconds is 0, must be in [0.01, 600]"},
-      {"points = 3", "r: points must be a table: [points]"},
-      {"cases = ", "r: line 1 "},
-  };
-  for (const auto& [text, message] : bad) {
-    const auto rubric = parse_rubric(text, "r");
-    ASSERT_FALSE(rubric) << text;
-    EXPECT_EQ(rubric.fault().text().substr(0, message.size()), message);
-  }
 }
 
 TEST(Formats, CarryTheSameScoreAndNothingThatABrowserOrTerminalWouldInterpret) {
