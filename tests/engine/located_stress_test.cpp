@@ -55,9 +55,9 @@ TEST(LocatedStress, FastSpins) {
 }
 // Beyond what the stepper can follow the run ends at the first number that is none, and says so.
 TEST(LocatedStress, WhatLeavesTheRangeOfDoubleEndsTheRun) {
-  State<double> start = tumbling(3);
-  start.w_WB = V(1e12, 0, 1e12);
-  Scene s = floor_scene(*Cuboid<double>::make(1, {1, 2, 3}), start, 0.5, 0);
+  State<double> start;
+  start.p_WB = V(0, 5, 0), start.w_WB = V(1e12, 0, 1e12);
+  Scene s = floor_scene(*Cuboid<double>::make(1, {1, 2, 3}), start, 0, 0);
   const auto run = simulate_located(s, [](double, const auto&) {});
   ASSERT_TRUE(run);
   EXPECT_FALSE(run->finite);
