@@ -62,8 +62,8 @@ Definition apply_pair_impulse A B u j :=
 (* -- contact and friction -- *)
 Definition positional_correction depth n := smul (Rmax 0 depth) n.
 Definition tangential a n := vsub a (smul (dot a n) n).
-(* of the slip, else of the tangential force, else none; below the threshold 2 eps a projection is rounding *)
-Definition counts eps t a := Rgt_dec (dot t t) ((4 * eps / 2) ^ 2 * dot a a).
+(* of the slip, else of the tangential force, else none; below the threshold 8 eps a projection is rounding *)
+Definition counts eps t a := Rgt_dec (dot t t) ((16 * eps / 2) ^ 2 * dot a a).
 Definition friction_tangent eps v_r f n :=
   if counts eps (tangential v_r n) v_r then unit (tangential v_r n)
   else if counts eps (tangential f n) f then unit (tangential f n)

@@ -136,7 +136,7 @@ inline double restart_direction(const ImpactAxes& a) {
 ///     dv/dp = K (n − μ_d s),  s = v_t/|v_t|;   stop: stick if |K_tt⁻¹ k_tn| ≤ μ_s, else slip starts again straight on;
 ///     ends where ∫ v_n dp over restitution = −e² ∫ v_n dp over compression
 ///
-/// Never adds energy, always ends (K positive definite makes every lasting leg push the bodies apart).
+/// A slip below 16u |v_r| counts as none. Never adds energy, always ends (K positive definite makes every lasting leg push the bodies apart).
 ///
 /// shapes    (3×3), (3), (3), scalars → impulse on B and what happened
 /// units     1/kg, m/s, 1 → N·s
@@ -151,31 +151,32 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
   using detail::SlipState;
   const double v_n = dot<double>(v_r, n);
   Vec3<double> t1(v_r - v_n * n);
-  const double slip = norm<double>(t1);
-  if (slip <= 4e-16 * norm<double>(v_r)) {  // no slip: any tangent will do, the one of the coupling is natural
-    const Vec3<double> Kn = apply<double>(K, n);
-    t1 = Kn - dot<double>(Kn, n) * n;
-    if (norm<double>(t1) <= 4e-16 * norm<double>(Kn)) {
-      int least = 0;
-      for (int i = 1; i < 3; ++i)
-        if (std::fabs(n[i]) < std::fabs(n[least])) least = i;
-      t1 = cross<double>(n, Vec3<double>(Vec3<double>::Unit(least)));
-    }
+  const double slip = norm<double>(t1), none = 16 * 0x1p-53 * norm<double>(v_r);  // a slip below `none` is rounding
+  const bool slips = slip > none;
+  if (!slips) {  // any tangent will do
+    int least;
+    n.cwiseAbs().minCoeff(&least);
+    t1 = Vec3<double>::Unit(least);
   }
-  t1 /= norm<double>(t1);
   t1 -= dot<double>(t1, n) * n;  // once more: a slip of 1e-10 |v_r| leaves t1 off the plane by 1e-6
   t1 /= norm<double>(t1);
   const Vec3<double> t2 = cross<double>(n, t1), Kn = apply<double>(K, n), K1 = apply<double>(K, t1), K2 = apply<double>(K, t2);
   const detail::ImpactAxes axes{dot<double>(n, Kn), {dot<double>(t1, Kn), dot<double>(t2, Kn)},
                                 {{{dot<double>(t1, K1), dot<double>(t1, K2)}, {dot<double>(t2, K1), dot<double>(t2, K2)}}}, mu_d, -v_n};
 
-  const bool slips = slip > 4e-16 * norm<double>(v_r);
   detail::Progress now{e, {slips ? std::log(slip) : 0, 0, 0, 0, 0, v_n, 0}};
   SlipState& x = now.x;
-  if (slips && mu_d > 0) {
-    const double stopped = std::log(norm<double>(v_r) * 1e-16);
+  if (slips) {
+    const double stopped = std::log(none);
     double h = 0.1 / (axes.k_nn + axes.k_tt[0][0] + axes.k_tt[1][1]);
-    while (!now.ended && x.log_r > stopped && !detail::settled(axes, x.psi)) {
+    while (!now.ended && x.log_r > stopped) {
+      if (detail::settled(axes, x.psi)) {  // straight on, for good or until the slip stops
+        const double c = std::cos(x.psi), s = std::sin(x.psi);
+        const auto f = axes.pull(c, s);
+        const double along = f[0] * c + f[1] * s;
+        now.follow(axes, -mu_d * c, -mu_d * s, along < 0 ? -std::exp(x.log_r) / along : std::numeric_limits<double>::infinity());
+        break;
+      }
       double error;
       SlipState y = detail::slip_step(axes, x, h, error);
       if (!(error <= 1e-13) && h > 1e-12) {
@@ -198,28 +199,20 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
       x = y;
       if (over) now.end_phase();
     }
-    if (!now.ended && x.log_r > stopped) {  // straight on, for good or until the slip stops
-      const double c = std::cos(x.psi), s = std::sin(x.psi);
-      const auto f = axes.pull(c, s);
-      const double along = f[0] * c + f[1] * s;
-      now.follow(axes, -mu_d * c, -mu_d * s, along < 0 ? -std::exp(x.log_r) / along : std::numeric_limits<double>::infinity());
-    }
   }
 
   FrictionOutcome outcome = FrictionOutcome::slid;
-  if (!now.ended) {  // slip has stopped (or never was, or feels no friction)
+  if (!now.ended) {  // slip has stopped, or never was
     double a1 = 0, a2 = 0;  // tangential impulse per unit of p
     const double det = axes.k_tt[0][0] * axes.k_tt[1][1] - axes.k_tt[0][1] * axes.k_tt[1][0];
     const double h1 = -(axes.k_tt[1][1] * axes.k_tn[0] - axes.k_tt[0][1] * axes.k_tn[1]) / det;
     const double h2 = -(axes.k_tt[0][0] * axes.k_tn[1] - axes.k_tt[1][0] * axes.k_tn[0]) / det;
-    if (mu_d > 0 || (mu_s > 0 && !slips)) {  // μ_d = 0 never stops a slip, and μ_s holds none
-      if (h1 * h1 + h2 * h2 <= mu_s * mu_s) {
-        a1 = h1, a2 = h2;
-        outcome = FrictionOutcome::stuck;
-      } else {
-        const double psi = detail::restart_direction(axes);
-        a1 = -mu_d * std::cos(psi), a2 = -mu_d * std::sin(psi);
-      }
+    if (mu_s > 0 && h1 * h1 + h2 * h2 <= mu_s * mu_s) {  // without friction there is nothing to stick to
+      a1 = h1, a2 = h2;
+      outcome = FrictionOutcome::stuck;
+    } else {
+      const double psi = detail::restart_direction(axes);
+      a1 = -mu_d * std::cos(psi), a2 = -mu_d * std::sin(psi);
     }
     now.follow(axes, a1, a2, std::numeric_limits<double>::infinity());
   }
