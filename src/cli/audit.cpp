@@ -7,6 +7,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/audit.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/texts.hpp>
 #include <rigor/grader/audit.hpp>
@@ -84,9 +85,9 @@ void add_audit(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   options->run.jobs = int(std::max(1u, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("audit", "tries the checks on every known mistake and every legitimate reading, compiled and run as submissions are");
-  command->add_option("--seeds", options->run.seeds, "seeds 1 to N")->check(CLI::Range(1, 1000))->capture_default_str();
-  command->add_option("--cases", options->run.cases, "random inputs for each check")->check(CLI::Range(1, 100000))->capture_default_str();
-  command->add_option("--jobs", options->run.jobs, "submissions at a time; all processors by default")->check(CLI::Range(1, 256));
+  command->add_option("--seeds", options->run.seeds, "seeds 1 to N")->check(in_range(1, 1000))->capture_default_str();
+  command->add_option("--cases", options->run.cases, "random inputs for each check")->check(in_range(1, 100000))->capture_default_str();
+  command->add_option("--jobs", options->run.jobs, "submissions at a time; all processors by default")->check(in_range(1, 256));
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor audit --seeds 20");
   command->callback([options, &exit_status] {
@@ -99,6 +100,7 @@ void add_audit(CLI::App& app, int& exit_status) {
     options->run.progress = Progress(isatty(STDERR_FILENO) != 0);
     const grader::Audit audit = grader::audit(subjects->first, subjects->second, options->run);
     std::fputs((options->json ? grader::audit_json(audit) : grader::audit_text(audit)).c_str(), stdout);
+    if (interrupted() != 0) std::fprintf(stderr, "rigor audit: interrupted; the figures are of what was run until then\n");
     exit_status = interrupted() != 0 ? 128 + interrupted() : audit.holds() ? 0 : 1;
   });
 }

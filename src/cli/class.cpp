@@ -4,6 +4,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/class.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
@@ -95,9 +96,9 @@ void add_class(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("class", "grade a directory of submissions: scores.csv, matrix.csv, class.html");
   command->add_option("DIR", options->directory, "a directory or archive for each student (also Autolab, Canvas, Gradescope, Moodle names), or all in one .zip")->required();
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
-  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
-  command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
-  command->add_option("--jobs", options->jobs, "submissions at a time; all processors by default")->check(CLI::Range(1, 256));
+  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
+  command->add_option("--cases", options->cases, "random inputs for each check")->check(in_range(1, 100000));
+  command->add_option("--jobs", options->jobs, "submissions at a time; all processors by default")->check(in_range(1, 256));
   command->add_option("--out", options->out, "where reports and tables go")->capture_default_str();
   command->add_option("--against", options->against, "an earlier --out: says what changed and why, in changes.csv and on the page");
   command->add_option("--fill", options->fill, "a gradebook (Canvas, Moodle, Autolab): written to --out with the points filled in");

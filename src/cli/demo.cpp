@@ -67,6 +67,7 @@ Outcome<std::string> grade_class(const fs::path& out) {
     if (!submission) return submission.fault();
     auto graded = grader::grade(*submission, grader::Rubric{}, {}, {});
     if (!graded) return graded.fault();
+    if (interrupted() != 0) break;
     grader::Report report = *graded;
     report.tool = "rigor " RIGOR_VERSION;
     report.submission_path = "tests/submissions/" + std::string(path);
@@ -79,7 +80,6 @@ Outcome<std::string> grade_class(const fs::path& out) {
     std::snprintf(score, sizeof score, "%g", report.score);
     links += "<li><a href=\"class/" + report::escape(report.submission) + "/report.html\">" + report::escape(report.submission) + "</a>: " + score + " of 100 (" +
              report::escape(says) + ")" + (found.empty() ? "" : "; named: <code>" + report::escape(found) + "</code>") + "</li>\n";
-    if (interrupted() != 0) break;
   }
   return "<h2>A class of " + std::to_string(std::size(students)) + ", graded</h2><p>Every submission was compiled unchanged and run in a locked-down process; each link is a student's report.</p><ul>" + links + "</ul>\n";
 }
@@ -116,6 +116,7 @@ Outcome<std::string> study(const fs::path& out) {
   const auto cells = studies::plan(request);
   for (const studies::Cell& cell : *cells)
     if (interrupted() == 0) rows.push_back(studies::fly(cell));
+  if (interrupted() != 0) return std::string();
   if (const auto written = write_file(out / "study" / "study.html", studies::page_html(studies::study_page("convergence", rows, "rigor demo"))); !written) return written.fault();
   if (const auto written = write_file(out / "study" / "study.csv", studies::rows_csv(rows)); !written) return written.fault();
   report::Plot plot{"Attitude error against step, free flight", "step h, s", "attitude error at T = 1 s, rad", true, true, {}};
@@ -136,9 +137,12 @@ int demo_command(const fs::path& out) {
   const Stopwatch watch;
   std::string body;
   for (auto part : {grade_class, run_scene, study}) {
-    if (interrupted() != 0) return 128 + interrupted();
     const auto html = part(out);
     if (!html) return failed(html.fault());
+    if (interrupted() != 0) {
+      std::fprintf(stderr, "rigor demo: interrupted; %s is not written\n", (out / "index.html").string().c_str());
+      return 128 + interrupted();
+    }
     body += *html;
     std::printf("\n");
   }

@@ -161,9 +161,26 @@ void print(const Explanation& e) {
 
 // The first sentence of a docstring: what the list shows.
 std::string headline(const std::string& docstring) {
-  const std::size_t end = docstring.find_first_of("\n");
-  std::string line = docstring.substr(0, end);
-  return line.size() > 54 ? line.substr(0, 51) + "..." : line;
+  static const std::regex end(R"([.:]\s|\n\s*\n)");
+  std::smatch match;
+  std::string text = std::regex_search(docstring, match, end) ? match.prefix().str() : docstring;
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+void print_list(const std::vector<std::string>& ids, bool json) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const std::string& id : ids) {
+    const std::string says = headline(explain(texts(), id)->docstring);
+    if (json) {
+      list.push_back({{"id", id}, {"says", says}});
+    } else {
+      const std::string column = filled(says, width, 31);
+      std::printf("%s%s", id.c_str(), column.substr(std::min(id.size(), std::size_t(30))).c_str());
+    }
+  }
+  if (json) std::printf("%s\n", list.dump(2).c_str());
+  else std::printf("\n%zu formula%s; 'rigor explain ID' shows one\n", ids.size(), ids.size() == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -219,26 +236,15 @@ void add_explain(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("explain", "the derivation, theorem, bridge, tests, figures and errata of one formula");
-  command->add_option("ID", options->id, "formula id, for example impulse.normal; without it, the list");
+  command->add_option("ID", options->id, "formula id, for example impulse.normal; impulse lists the impulse.*; without it, all are listed");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor explain impulse.normal");
   command->callback([options, &exit_status] {
     const std::vector<std::string> ids = formula_ids(texts());
-    if (options->id.empty()) {
-      nlohmann::json list = nlohmann::json::array();
-      for (const std::string& id : ids) {
-        const std::string line = headline(explain(texts(), id)->docstring);
-        if (options->json)
-          list.push_back({{"id", id}, {"says", line}});
-        else
-          std::printf("%-32s %s\n", id.c_str(), line.c_str());
-      }
-      if (options->json)
-        std::printf("%s\n", list.dump(2).c_str());
-      else
-        std::printf("\n%zu formulas; 'rigor explain ID' shows one\n", ids.size());
-      return;
-    }
+    std::vector<std::string> listed;  // all, or those of one family: "impulse" lists impulse.*
+    for (const std::string& id : ids)
+      if (options->id.empty() || starts(id, options->id + ".")) listed.push_back(id);
+    if (!listed.empty()) return print_list(listed, options->json);
     const std::optional<Explanation> found = explain(texts(), options->id);
     if (!found) {
       std::fprintf(stderr, "rigor explain: there is no formula '%s'%s; 'rigor explain' lists them\n",

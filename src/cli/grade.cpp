@@ -1,12 +1,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/grade.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/grader/formats.hpp>
 #include <rigor/grader/judge.hpp>
 
@@ -103,7 +105,13 @@ int grade_command(const Options& options) {
   std::vector<std::string> ids;
   for (const grader::Check& check : grader::checks()) ids.push_back(check.id);
   for (const std::string& id : options.checks)
-    if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids));
+    if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids) + "; 'rigor grade --print-rubric' lists them");
+  int most_cases = 0;
+  for (const grader::Check& check : grader::checks())
+    if (options.checks.empty() || std::find(options.checks.begin(), options.checks.end(), check.id) != options.checks.end())
+      most_cases = std::max(most_cases, rubric.cases_of(check));
+  if (options.single_case >= most_cases)
+    return bad_input("--case: is " + std::to_string(options.single_case) + ", must be in [0, " + std::to_string(most_cases - 1) + "]; --cases N asks for more");
   for (const std::string& format : options.formats)
     if (find_format(format) == nullptr) return bad_input("--format: '" + format + "' is none of text, json, html, junit, gradescope, autolab");
   const Format* printed = options.out.empty() && options.formats.size() == 1 ? find_format(options.formats.front()) : nullptr;
@@ -116,11 +124,13 @@ int grade_command(const Options& options) {
     if (for_a_platform)
       if (const auto written = write_failures("the grader did not finish", rubric, options); !written) return bad_input(written.fault().text());
     const auto report = grade_one(path, rubric, options);
-    if (!report) {
-      std::fprintf(stderr, "rigor grade: %s\n", report.fault().text().c_str());
+    if (!report || interrupted() != 0) {
+      const std::string why = interrupted() != 0 ? path + ": interrupted, not graded" : report.fault().text();
+      std::fprintf(stderr, "rigor grade: %s\n", why.c_str());
       if (for_a_platform)
-        if (const auto written = write_failures(report.fault().text(), rubric, options); !written) return bad_input(written.fault().text());
-      if (autolab) std::fputs(grader::autolab_failure(report.fault().text(), rubric.group_names()).c_str(), stdout);
+        if (const auto written = write_failures(why, rubric, options); !written) return bad_input(written.fault().text());
+      if (autolab) std::fputs(grader::autolab_failure(why, rubric.group_names()).c_str(), stdout);
+      if (interrupted() != 0) return 128 + interrupted();
       continue;
     }
     ++graded;
@@ -130,7 +140,6 @@ int grade_command(const Options& options) {
     else if (options.json) std::fputs(grader::report_json(*report).c_str(), stdout);
     else if (options.quiet) std::printf("%s %g of %g\n", report->submission.c_str(), report->score, report->max_score);
     else std::fputs(grader::report_text(*report, colour).c_str(), stdout);
-    if (interrupted() != 0) return 128 + interrupted();
   }
   return autolab || graded == int(options.paths.size()) ? 0 : 2;  // Autolab takes any other status for a broken grader
 }
@@ -142,14 +151,14 @@ void add_grade(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("grade", "grade submissions: points, the smallest failing case, the likely mistake");
   command->add_option("PATH", options->paths, "directory, .zip or .tar of a submission");
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
-  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 53));
+  command->add_option("--seed", options->seed, "of the random cases; the rubric's by default")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_flag("--practice", options->practice, "the rubric's cases for practice instead of the graded ones");
-  command->add_option("--cases", options->cases, "random inputs for each check")->check(CLI::Range(1, 100000));
+  command->add_option("--cases", options->cases, "random inputs for each check")->check(in_range(1, 100000));
   command->add_option("--check", options->checks, "only this check; may be given several times");
-  command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(CLI::Range(0, 100000));
+  command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(in_range(0, 100000));
   command->add_option("--format", options->formats, "text, json, html, junit, gradescope, autolab; one of them without --out is printed")->delimiter(',');
   command->add_option("--out", options->out, "directory for the reports: text, json and html unless --format says otherwise");
-  command->add_option("--jobs", options->jobs, "compilers at a time")->check(CLI::Range(1, 256));
+  command->add_option("--jobs", options->jobs, "compilers at a time")->check(in_range(1, 256));
   command->add_flag("--sanitize", options->sanitize, "build with sanitizers; their first finding is shown as advice");
   command->add_flag("--json", options->json, "print report.json");
   command->add_flag("--quiet", options->quiet, "print one line a submission");

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/study.hpp>
 #include <rigor/studies/contact.hpp>
@@ -133,17 +134,17 @@ void add_study(CLI::App& app, int& exit_status) {
   command->add_option("--problem", r.problems, "by name (docs/studies.md), or a scene file")->delimiter(',');
   command->add_option("--method", r.methods, "integrators, exact, cvode-adams, ...; contact: located too; all by default")->delimiter(',');
   command->add_option("--until", r.until, "end of the problems, s");
-  command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(CLI::Range(1L, 1000000L));
-  command->add_option("--rungs", r.rungs, "halvings of the step")->check(CLI::Range(1, 24));
+  command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(in_range(1L, 1000000L));
+  command->add_option("--rungs", r.rungs, "halvings of the step")->check(in_range(1, 24));
   command->add_option("--h", r.h, "these steps instead of a ladder, s")->delimiter(',');
   command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers")->delimiter(',');
-  command->add_option("--steps", r.steps, "of drift")->check(CLI::Range(1L, 1000000000L))->capture_default_str();
+  command->add_option("--steps", r.steps, "of drift")->check(in_range(1L, 1000000000L))->capture_default_str();
   command->add_option("--step", r.step, "of drift, s")->capture_default_str();
   command->add_option("--sums", options->sums, "of drift: plain, carried; both by default")->delimiter(',')->check(CLI::IsMember({"plain", "carried"}));
   command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive");
   command->add_flag("--peers", options->all_peers, "other engines too: those whose programs are built");
   command->add_option("--peer", r.peers, "one of them by name: bullet, ode, mujoco, simbody, dart")->delimiter(',');
-  command->add_option("--jobs", options->jobs, "cells at a time, where they are not timed; all cores by default")->check(CLI::Range(1, 256));
+  command->add_option("--jobs", options->jobs, "cells at a time, where they are not timed; all cores by default")->check(in_range(1, 256));
   command->add_option("--out", options->out, "directory for study.csv, study.json, study.html, README.md with its figures, and a file for each cell");
   command->add_flag("--resume", options->resume, "go on: take the cells whose files are there");
   command->add_flag("--json", options->json, "print study.json");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/verify.hpp>
 #include <rigor/verify/verify.hpp>
@@ -113,10 +114,10 @@ void add_verify(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("verify", "property run over the built-in formulas and engines; a soak with --time");
   command->add_option("--id", options->id, "only this formula, or engine.exact-flight, engine.batch, engine.located");
   command->add_option("--cases", options->cases, "random inputs for each formula and round")
-      ->check(CLI::Range(1L, 100000000L))
+      ->check(in_range(1L, 100000000L))
       ->capture_default_str();
   command->add_option("--time", options->seconds, "go on with new seeds for so many seconds")
-      ->check(CLI::Range(0.0, 1e7));
+      ->check(in_range(0.0, 1e7));
   command->add_option("--seed", options->seed, "same seed, same numbers")->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor verify --id impulse.normal --cases 100000");

@@ -42,14 +42,14 @@ class Drawing {
  public:
   explicit Drawing(const View& view) : view_(view) {}
 
-  void line(const V& a, const V& b, const std::string& style) { shapes_.push_back({{a, b}, style, "", Shape::line}); }
-  void area(const std::vector<V>& corners, const std::string& style) { shapes_.push_back({corners, style, "", Shape::area}); }
-  void dot_at(const V& a, const std::string& colour) { shapes_.push_back({{a}, "fill=\"" + colour + "\"", "", Shape::dot}); }
+  void line(const V& a, const V& b, const std::string& style) { shapes_.push_back({{a, b}, style, "", Shape::Kind::line}); }
+  void area(const std::vector<V>& corners, const std::string& style) { shapes_.push_back({corners, style, "", Shape::Kind::area}); }
+  void dot_at(const V& a, const std::string& colour) { shapes_.push_back({{a}, "fill=\"" + colour + "\"", "", Shape::Kind::dot}); }
   void arrow(const V& a, const V& along, const std::string& colour, const std::string& name, bool dashed = false) {
     if (!(norm<double>(along) > 0)) return;
-    shapes_.push_back({{a, V(a + along)}, "stroke=\"" + colour + "\" fill=\"" + colour + "\"" + (dashed ? " stroke-dasharray=\"5 4\"" : ""), name, Shape::arrow});
+    shapes_.push_back({{a, V(a + along)}, "stroke=\"" + colour + "\" fill=\"" + colour + "\"" + (dashed ? " stroke-dasharray=\"5 4\"" : ""), name, Shape::Kind::arrow});
   }
-  void label(const V& a, const std::string& name) { shapes_.push_back({{a}, "", name, Shape::label}); }
+  void label(const V& a, const std::string& name) { shapes_.push_back({{a}, "", name, Shape::Kind::label}); }
 
   /// A cuboid: faces towards the reader tinted, hidden edges dashed.
   void box(const Box& b, const std::string& colour) {
@@ -95,7 +95,7 @@ class Drawing {
   struct Shape {
     std::vector<V> points;
     std::string style, name;
-    enum Kind { line, area, dot, arrow, label } kind;
+    enum class Kind { line, area, dot, arrow, label } kind;
   };
 
   static std::string name_at(double x, double y, const std::string& name, const std::string& anchor = "middle") {
@@ -106,9 +106,9 @@ class Drawing {
   static std::string drawn(const Shape& s, const At& at) {
     const auto [x, y] = at(s.points[0]);
     switch (s.kind) {
-      case Shape::dot: return print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" ", x, y) + s.style + "/>";
-      case Shape::label: return name_at(x, y, s.name);
-      case Shape::area: {
+      case Shape::Kind::dot: return print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" ", x, y) + s.style + "/>";
+      case Shape::Kind::label: return name_at(x, y, s.name);
+      case Shape::Kind::area: {
         std::string points;
         for (const V& p : s.points) points += print("%.1f,%.1f ", at(p).first, at(p).second);
         return "<polygon points=\"" + points + "\" " + s.style + "/>";
@@ -117,7 +117,7 @@ class Drawing {
     }
     const auto [x2, y2] = at(s.points[1]);
     const std::string stroke = print("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" ", x, y, x2, y2) + s.style;
-    if (s.kind == Shape::line) return stroke + "/>";
+    if (s.kind == Shape::Kind::line) return stroke + "/>";
     const double length = std::hypot(x2 - x, y2 - y);
     if (length < 3) return print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\" fill-opacity=\"0.2\" ", x, y) + s.style + "/>" + name_at(x + 14, y - 10, s.name);  // towards the reader, or away
     const double c = (x2 - x) / length, d = (y2 - y) / length, head = std::min(10.0, length / 2);

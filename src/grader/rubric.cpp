@@ -29,6 +29,13 @@ Outcome<bool> take(const toml::node& node, const std::string& where, double low,
   return true;
 }
 
+// The same of whole numbers.
+Outcome<bool> take_whole(const toml::node& node, const std::string& where, double low, double high, double& value) {
+  if (const auto taken = take(node, where, low, high, value); !taken) return taken;
+  if (value != std::floor(value)) return Fault{Kind::out_of_range, where, "is " + number_text(value) + ", must be a whole number"};
+  return true;
+}
+
 Fault unknown(const std::string& where, const std::string& key, const std::vector<std::string>& known) {
   return {Kind::unknown_key, where, "unknown key '" + key + "'" + did_you_mean(key, known)};
 }
@@ -133,13 +140,13 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
       if (const auto text = node.value<std::string>()) rubric.title = *text;
       else ok = Fault{Kind::wrong_type, where, "must be a text in quotes"};
     } else if (name == "seed") {
-      ok = take(node, where, 0, 9007199254740992.0, number);
+      ok = take_whole(node, where, 0, 9007199254740992.0, number);
       rubric.seed = std::uint64_t(number);
     } else if (name == "practice_seed") {
-      ok = take(node, where, 0, 9007199254740992.0, number);
+      ok = take_whole(node, where, 0, 9007199254740992.0, number);
       rubric.practice_seed = std::uint64_t(number);
     } else if (name == "cases") {
-      ok = take(node, where, 1, 100000, number);
+      ok = take_whole(node, where, 1, 100000, number);
       rubric.cases = int(number);
     } else if (name == "tolerance") {
       ok = take(node, where, 0.01, 1000, rubric.tolerance);
@@ -154,7 +161,7 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
       ok = read_by_check(node, where, [&](const toml::node& value, const std::string& at, const std::string& id) {
         double count = 0;
         const int most = find_check(id)->cases;
-        const auto taken = take(value, at, 1, most != 0 ? most : 100000, count);
+        const auto taken = take_whole(value, at, 1, most != 0 ? most : 100000, count);
         rubric.case_counts[id] = int(count);
         return taken;
       });

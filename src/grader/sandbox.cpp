@@ -247,7 +247,19 @@ pid_t Child::first_inside() const {
   information_ = -1;
   if (const std::size_t at = text.find("\"child-pid\":"); at != std::string::npos)
     inside_ = pid_t(std::strtol(text.c_str() + at + 12, nullptr, 10));
+  if (inside_ > 0) inside_handle_ = int(syscall(SYS_pidfd_open, inside_, 0));  // -1 before Linux 5.3
   return inside_;
+}
+
+/// Bubblewrap ends when the program has ended or is killed; the namespace's first process, and all that is still in it
+/// with it, may take a moment longer to be gone.
+void Child::await_inside() {
+  first_inside();
+  if (inside_handle_ < 0) return;
+  pollfd gone{inside_handle_, POLLIN, 0};
+  while (poll(&gone, 1, 10000) < 0 && errno == EINTR) continue;
+  close(inside_handle_);
+  inside_handle_ = -1;
 }
 
 namespace {
@@ -296,7 +308,7 @@ bool Child::ended(double seconds) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   reaped_ = got == pid_;
-  if (reaped_ && information_ >= 0) close(information_), information_ = -1;
+  if (reaped_) await_inside();
   return reaped_;
 }
 

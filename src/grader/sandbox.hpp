@@ -41,7 +41,8 @@ class Child {
   double cpu_seconds() const;
   /// Whether it waits for something other than a processor just now (a sleep, a read without end).
   bool waits() const;
-  /// True once it has ended by itself, for which it has `seconds`; then status() is what waitpid said of it.
+  /// True once it has ended by itself, for which it has `seconds`, and nothing it started is left; then status() is what
+  /// waitpid said of it.
   bool ended(double seconds = 0);
   /// Kills it with all it started and reaps it. The status is the first of both: how it ended, or by our hand.
   int end();
@@ -50,9 +51,11 @@ class Child {
  private:
   friend Outcome<Child> start(const Confined& what);
   pid_t first_inside() const;
+  void await_inside();
   pid_t program() const;  // the program itself, as seen from here; 0 when that cannot be known
   pid_t pid_ = -1;           // bubblewrap, or the program itself
   mutable pid_t inside_ = 0; // the first process inside the namespaces, as seen from here
+  mutable int inside_handle_ = -1;  // a descriptor of that process, which its number cannot outlive
   mutable int information_ = -1;  // where bubblewrap tells it
   int status_ = 0;
   bool reaped_ = false;
