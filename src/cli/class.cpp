@@ -85,7 +85,10 @@ int class_command(const Options& options) {
     if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", r.entry.student.c_str(), r.trouble.c_str());
   }
   if (!options.quiet) std::printf("%d of %zu graded (%d unchanged since last time): %s\n", graded, rows.size(), reused, (out / "class.html").string().c_str());
-  if (interrupted() != 0) return 128 + interrupted();
+  if (interrupted() != 0) {
+    std::fprintf(stderr, "rigor class: interrupted; the same command goes on with those that are not graded\n");
+    return 128 + interrupted();
+  }
   return graded == int(rows.size()) ? 0 : 1;
 }
 

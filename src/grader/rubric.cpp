@@ -227,7 +227,7 @@ Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name) {
     return from_table(toml::parse(text, name), name);
   } catch (const toml::parse_error& error) {
     std::ostringstream where;
-    where << name << ": line " << error.source().begin.line;
+    where << name << ": line " << error.source().begin.line << ":";
     return Fault{Kind::malformed, where.str(), std::string(error.description())};
   }
 }

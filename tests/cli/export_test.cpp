@@ -80,6 +80,12 @@ TEST_F(Export, KitGradesItselfForPracticeAndKeepsTheGradedSeed) {
   ASSERT_TRUE(report.is_object()) << ran.text;
   EXPECT_EQ(report["seed"], 1);
   EXPECT_EQ(report["max_score"], 102) << "the course's points";
+  const Ran ours = sh("RIGOR_CACHE=" + (dir / "cache").string() + " " RIGOR_BINARY_DIR "/rigor grade " + sample("wrong/torque-kept").string() + " --practice --json --rubric " + (dir / "rubric.toml").string());
+  const json here = json::parse(ours.text, nullptr, false);
+  ASSERT_TRUE(here.is_object()) << ours.text;
+  ASSERT_EQ(here["checks"].size(), report["checks"].size());
+  for (std::size_t i = 0; i < here["checks"].size(); ++i)
+    for (const char* key : {"id", "verdict", "points"}) EXPECT_EQ(here["checks"][i][key], report["checks"][i][key]) << here["checks"][i]["id"];
   for (const json& check : report["checks"])
     if (check["id"] == "update.clears") {
       EXPECT_EQ(check["verdict"], "fail");

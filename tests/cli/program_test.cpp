@@ -23,8 +23,8 @@ struct Ran {
   int status;
   std::string text;  // stdout and stderr
 };
-Ran rigor_says(const std::string& arguments) {
-  const std::string command = std::string(RIGOR_BINARY_DIR) + "/rigor " + arguments + " 2>&1 </dev/null";
+Ran rigor_says(const std::string& arguments, const std::string& before = "") {
+  const std::string command = before + std::string(RIGOR_BINARY_DIR) + "/rigor " + arguments + " 2>&1 </dev/null";
   std::FILE* pipe = popen(command.c_str(), "r");
   Ran ran{0, ""};
   std::array<char, 4096> buffer;
@@ -82,7 +82,9 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"exlain", "did you mean 'explain'?"},
       {"explain impulse.norml", "did you mean 'impulse.normal'?"},
       {"verify --id inertia.cubiod", "did you mean 'inertia.cuboid'?"},
-      {"verify --cases 0", "not in range"},
+      {"verify --cases 0", "--cases: is 0, must be in [1, 100000000]"},
+      {"verify --time nan", "--time: is nan, must be in [0, 1e+07]"},
+      {"verify --cases 7x", "--cases: is 7x, must be in"},
       {"run assignmnt", "did you mean 'assignment'?"},
       {"run", "SCENE is required"},
       {"run drop --method shet", "did you mean 'sheet'?"},
@@ -102,6 +104,7 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"grade", "a submission directory is missing"},
       {"grade /nowhere", "/nowhere"},
       {"grade /nowhere --check moi.bodi", "did you mean 'moi.body'?"},
+      {"grade /nowhere --check moi.body --case 200", "--case: is 200, must be in [0, 199]"},
       {"grade /nowhere --rubric /nowhere.toml", "/nowhere.toml does not exist"},
       {"grade /nowhere --format pdf", "is none of text, json, html, junit, gradescope, autolab"},
       {"class /nowhere", "is not a directory"},
@@ -113,6 +116,16 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
     EXPECT_EQ(ran.status, 2) << arguments << "\n" << ran.text;
     EXPECT_TRUE(contains(ran.text, says)) << arguments << "\n" << ran.text;
   }
+}
+
+TEST_F(Program, PrintsNoMarkWhenGradingIsInterrupted) {
+  // an empty cache: compiling alone takes longer than the second it is given
+  const Ran ran = rigor_says("grade " RIGOR_SOURCE_DIR "/tests/submissions/kit --out " + (dir / "out").string(),
+                             "RIGOR_CACHE=" + (dir / "cache").string() + " timeout --foreground --preserve-status -s INT 1 ");
+  EXPECT_EQ(ran.status, 130) << ran.text;
+  EXPECT_TRUE(contains(ran.text, "interrupted, not graded")) << ran.text;
+  EXPECT_FALSE(contains(ran.text, "of 100")) << ran.text;
+  EXPECT_FALSE(std::filesystem::exists(dir / "out" / "report.json"));
 }
 
 TEST_F(Program, RefusesBrokenScenesAndLeavesNothingBehind) {
