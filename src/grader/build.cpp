@@ -8,6 +8,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/grader/build_compile.hpp>
 #include <rigor/grader/build_hash.hpp>
@@ -77,7 +78,7 @@ class Builder {
 
   BuildResult run() {
     look_at_functions();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds && interrupted() == 0; ++round) {
       changed_ = false;
       if (compile_all() && link()) {
         result_.executable = program_;
@@ -583,6 +584,7 @@ Outcome<BuildResult> build(const Submission& submission, const BuildOptions& opt
   BuildResult result;
   if (!read_kept(kept, result)) {
     result = Builder(submission, options, *tools).run();
+    if (interrupted() != 0) return Fault{Fault::Kind::unsupported, submission.name, "interrupted while it was compiled"};  // kept as no result
     if (const auto written = write_file(kept, json_of(result).dump()); !written) return written.fault();
   } else {
     result.reused = 6;

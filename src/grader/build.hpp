@@ -68,7 +68,7 @@ struct BuildResult {
 
 /// Compiles each file on its own inside the sandbox. A function that does not compile costs only itself.
 /// Never fails for what the submission contains; promises hold for everything else. Faults: unwritable (cache),
-/// unsupported (no compiler, no Eigen).
+/// unsupported (no compiler, no Eigen, interrupted).
 Outcome<BuildResult> build(const Submission& submission, const BuildOptions& options = {});
 
 }  // namespace rigor::grader

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <rigor/base/file.hpp>
+#include <rigor/base/interrupt.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/grader/build_compile.hpp>
 #include <rigor/grader/build_hash.hpp>
@@ -49,18 +50,20 @@ Compilation run(std::vector<std::string> argv, const fs::path& directory, std::v
   };
   char buffer[16 << 10];
   pollfd fd{out[0], POLLIN, 0};
-  for (bool open = true; open && left_ms() > 0;) {
-    if (poll(&fd, 1, left_ms()) <= 0) continue;
+  for (bool open = true; open && left_ms() > 0 && interrupted() == 0;) {
+    if (poll(&fd, 1, std::min(left_ms(), 200)) <= 0) continue;
     const ssize_t n = read(out[0], buffer, sizeof buffer);
     if (n > 0) c.output.append(buffer, std::min(std::size_t(n), kept_output - std::min(kept_output, c.output.size())));
     open = n > 0 || (n < 0 && errno == EINTR);
   }
   const bool late = left_ms() <= 0;
-  if (!late) child.ended(1);
+  if (!late && interrupted() == 0) child.ended(1);
   const int status = child.end();
   close(out[0]);
   c.ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (late || c.output.find("CPU time limit") != c.output.npos || c.output.find("Killed") != c.output.npos)
+  if (interrupted() != 0)
+    c.stopped = "interrupted";
+  else if (late || c.output.find("CPU time limit") != c.output.npos || c.output.find("Killed") != c.output.npos)
     c.stopped = "the compiler needed more than " + std::to_string(compiler_cpu_s) + " s";
   else if (c.output.find("File size limit") != c.output.npos)
     c.stopped = "the program is larger than " + std::to_string(compiler_file >> 20) + " MiB";
