@@ -71,6 +71,23 @@ Motion step_euler_quaternion(const Cuboid<double>& body, const Motion& now, cons
   return motion_of(body, next);
 }
 
+Motion fly_euler_momentum(const Cuboid<double>& body, const Motion& now, double h, long steps) {
+  Motion x = now;
+  Mat3<double>& R = x.state.R_WB;
+  for (long step = 0; step < steps; ++step) {
+    const Vec3<double> w = apply<double>(R, apply_transposed<double>(R, x.L_W).cwiseProduct(body.inverse_inertia()));
+    if (step == steps - 1) x.state.w_WB = w;
+    // Gram and Schmidt with reciprocals, the third column as the product of the others
+    const auto unit = [](const Vec3<double>& a) { return Vec3<double>(a * (1 / norm<double>(a))); };
+    const Vec3<double> a = R.col(0), b = R.col(1), c0 = unit(a + h * cross<double>(w, a)), c1 = b + h * cross<double>(w, b);
+    R.col(0) = c0;
+    R.col(1) = unit(c1 - dot<double>(c0, c1) * c0);
+    R.col(2) = cross<double>(c0, R.col(1));
+  }
+  x.state.p_WB += double(steps) * h * x.state.v_WB;
+  return x;
+}
+
 Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
   Motion next = now;
   next.L_W = advanced(now.L_W, h, load.tau_W);

@@ -1,8 +1,7 @@
-#include <cmath>
 #include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/lie_group.hpp>
+#include <rigor/integrators/quaternion.hpp>
 #include <rigor/integrators/turning.hpp>
-#include <rigor/linalg/rotation.hpp>
 #include <utility>
 
 namespace rigor {
@@ -13,26 +12,49 @@ using M = Mat3<double>;
 
 V spin(const Cuboid<double>& body, const V& L_B) { return L_B.cwiseProduct(body.inverse_inertia()); }
 /// L as it is seen in a body turned on by exp(u).
-V seen_after(const V& u, const V& L_B) { return apply_transposed<double>(exp_so3<double>(u), L_B); }
-Turning turned(const Turning& now, const M& E) { return {now.R_WB * E, apply_transposed<double>(E, now.L_B)}; }
+V seen_after(const V& u, const V& L_B) { return turned_back(exp_quaternion(u), L_B); }
 
-Turning implicit_midpoint(const Cuboid<double>& body, const Turning& now, double h) {
-  const auto mapped = [&](const V& m) { return V(now.L_B + h / 2 * cross<double>(m, spin(body, m))); };
-  V m = mapped(now.L_B);
-  const double enough = 4 * 0x1p-53 * norm<double>(now.L_B);
-  for (int k = 0; k < 50; ++k) {  // contracts by about |ω|h/2 each time
-    const V next = mapped(m);
-    const double change = norm<double>(V(next - m));
-    m = next;
-    if (change <= enough) break;
+/// Equal steps, each turning by the quaternion that `turn` gives for the L of its beginning.
+template <class Turn>
+Vec4<double> turn_by(const V& L_B, long steps, const Turn& turn) {
+  V L = L_B;
+  Vec4<double> q(1, 0, 0, 0);
+  for (long step = 0; step < steps; ++step) {
+    const Vec4<double> e = turn(L);
+    q = product(q, e);
+    L = turned_back(e, L);
   }
-  const V half = h / 2 * spin(body, m);
-  return turned(now, rotation_of<double>(Vec4<double>(1, half[0], half[1], half[2])));
+  return q;
 }
 
-Turning buss_augmented(const Cuboid<double>& body, const Turning& now, double h) {
-  const V w = spin(body, now.L_B), w1 = spin(body, V(cross<double>(now.L_B, w)));
-  return turned(now, exp_so3<double>(V(h * w + h * h / 2 * w1 - h * h * h / 12 * cross<double>(w1, w))));
+// The quaternion (1, h ω/2) of the mid-point's spin: Cayley's map. L' = L + h m × ω = 2m − L.
+Vec4<double> implicit_midpoint(const Cuboid<double>& body, const V& L_B, double h, long steps) {
+  const V half_turn = h / 2 * body.inverse_inertia();
+  const double enough = 0x1p-100 * dot<double>(L_B, L_B);
+  V L = L_B;
+  Vec4<double> q(1, 0, 0, 0);
+  for (long step = 0; step < steps; ++step) {
+    const auto mapped = [&](const V& m) { return V(L + cross<double>(m, V(m.cwiseProduct(half_turn)))); };
+    V m = mapped(L);
+    for (int k = 0; k < 50; ++k) {  // contracts by about |ω|h/2 each time
+      const V next = mapped(m), change = next - m;
+      m = next;
+      if (dot<double>(change, change) <= enough) break;
+    }
+    const V half = m.cwiseProduct(half_turn);
+    const Vec4<double> turn(1, half[0], half[1], half[2]);
+    q = product(q, turn);
+    L = 2 * m - L;
+    if (is_time_to_normalise(step)) q = normalised(q);
+  }
+  return q;
+}
+
+Vec4<double> buss_augmented(const Cuboid<double>& body, const V& L_B, double h, long steps) {
+  return turn_by(L_B, steps, [&](const V& L) {
+    const V w = spin(body, L), w1 = spin(body, V(cross<double>(L, w)));
+    return exp_quaternion(V(h * w + h * h / 2 * w1 - h * h * h / 12 * cross<double>(w1, w)));
+  });
 }
 
 /// The inverse of the exponential's derivative, to the order that four stages need: u' = dexp⁻¹ a.
@@ -41,16 +63,22 @@ V inverse_dexp(const V& u, const V& a) {
   return a + 0.5 * c + 1.0 / 12 * cross<double>(u, c);
 }
 
-Turning rkmk4(const Cuboid<double>& body, const Turning& now, double h) {
-  const auto rate = [&](const V& u) { return inverse_dexp(u, V(h * spin(body, seen_after(u, now.L_B)))); };
-  const V k1 = h * spin(body, now.L_B), k2 = rate(V(k1 / 2)), k3 = rate(V(k2 / 2)), k4 = rate(k3);
-  return turned(now, exp_so3<double>(V((k1 + 2 * k2 + 2 * k3 + k4) / 6)));
+Vec4<double> rkmk4(const Cuboid<double>& body, const V& L_B, double h, long steps) {
+  const V h_spin = h * body.inverse_inertia();
+  return turn_by(L_B, steps, [&](const V& L) {
+    const auto rate = [&](const V& u) { return inverse_dexp(u, V(h_spin.cwiseProduct(seen_after(u, L)))); };
+    const V k1 = h_spin.cwiseProduct(L), k2 = rate(V(k1 / 2)), k3 = rate(V(k2 / 2)), k4 = rate(k3);
+    return exp_quaternion(V((k1 + 2 * (k2 + k3) + k4) * (1 / 6.)));
+  });
 }
 
-Turning commutator_free4(const Cuboid<double>& body, const Turning& now, double h) {
-  const V a1 = h * spin(body, now.L_B), L2 = seen_after(V(a1 / 2), now.L_B), a2 = h * spin(body, L2);
-  const V a3 = h * spin(body, seen_after(V(a2 / 2), now.L_B)), a4 = h * spin(body, seen_after(V(a3 - a1 / 2), L2));
-  return turned(now, exp_so3<double>(V((3 * a1 + 2 * (a2 + a3) - a4) / 12)) * exp_so3<double>(V((2 * (a2 + a3) + 3 * a4 - a1) / 12)));
+Vec4<double> commutator_free4(const Cuboid<double>& body, const V& L_B, double h, long steps) {
+  const V h_spin = h * body.inverse_inertia();
+  return turn_by(L_B, steps, [&](const V& L) {
+    const V a1 = h_spin.cwiseProduct(L), L2 = seen_after(V(a1 / 2), L), a2 = h_spin.cwiseProduct(L2);
+    const V a3 = h_spin.cwiseProduct(seen_after(V(a2 / 2), L)), a4 = h_spin.cwiseProduct(seen_after(V(a3 - a1 / 2), L2)), middle = 2 * (a2 + a3);
+    return product(exp_quaternion(V((3 * a1 + middle - a4) * (1 / 12.))), exp_quaternion(V((middle + 3 * a4 - a1) * (1 / 12.))));
+  });
 }
 
 /// A stage under a load: the attitude on the group, everything else in a vector space.
@@ -120,5 +148,9 @@ Motion step_rkmk4(const Cuboid<double>& body, const Motion& now, const Load& loa
 Motion step_commutator_free4(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(commutator_free4, body, now, load, h); }
 Motion step_implicit_midpoint_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(implicit_midpoint, strang, body, now, load, t, h); }
 Motion step_buss_augmented_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(buss_augmented, strang, body, now, load, t, h); }
+Motion fly_implicit_midpoint(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(implicit_midpoint, body, now, h, steps); }
+Motion fly_buss_augmented(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(buss_augmented, body, now, h, steps); }
+Motion fly_rkmk4(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(rkmk4, body, now, h, steps); }
+Motion fly_commutator_free4(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(commutator_free4, body, now, h, steps); }
 
 }  // namespace rigor

@@ -25,4 +25,10 @@ Motion step_buss_augmented_under(const Cuboid<double>& body, const Motion& now, 
 Motion step_rkmk4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 Motion step_commutator_free4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 
+/// Without load, many steps at a time.
+Motion fly_implicit_midpoint(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_buss_augmented(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_rkmk4(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_commutator_free4(const Cuboid<double>& body, const Motion& now, double h, long steps);
+
 }  // namespace rigor

@@ -41,6 +41,8 @@ struct Method {
   Motion (*step)(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
   /// One step from t that asks for the load at its own stages; nullptr for a method that holds it.
   Motion (*step_under)(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) = nullptr;
+  /// Many steps without load: the same map, with nothing made twice and nothing derived in between; nullptr for step after step.
+  Motion (*fly)(const Cuboid<double>& body, const Motion& now, double h, long steps) = nullptr;
 };
 
 /// One step from t under a load that changes: at the method's stages, or held as it is at the middle of the step, for the

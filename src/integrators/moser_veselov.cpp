@@ -1,8 +1,7 @@
-#include <cmath>
 #include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/moser_veselov.hpp>
+#include <rigor/integrators/quaternion.hpp>
 #include <rigor/integrators/turning.hpp>
-#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 namespace {
@@ -32,25 +31,32 @@ V preprocessed(const V& I, const V& inverse_I, const V& L_B, double h, int order
 }
 
 template <int order>
-Turning moser_veselov(const Cuboid<double>& body, const Turning& now, double h) {
-  const V inverse_I = order == 2 ? body.inverse_inertia() : preprocessed(body.inertia(), body.inverse_inertia(), now.L_B, h, order);
-  const V I = inverse_I.cwiseInverse(), g = h / 2 * now.L_B.cwiseProduct(inverse_I);
+Vec4<double> moser_veselov(const Cuboid<double>& body, const V& L_B, double h, long steps) {
+  const V inverse_I = order == 2 ? body.inverse_inertia() : preprocessed(body.inertia(), body.inverse_inertia(), L_B, h, order);
+  const V I = inverse_I.cwiseInverse(), to_g = h / 2 * inverse_I;
   const V f((I[1] - I[2]) * inverse_I[0], (I[2] - I[0]) * inverse_I[1], (I[0] - I[1]) * inverse_I[2]);
-  // the quaternion (1, e) of the step: e = g (1 + |e|²) + I⁻¹((I e) × e), by fixed point; contracts by about |ω|h/2
-  V e = g;
-  const double enough = 0x1p-53 * norm<double>(g);
-  for (int k = 0; k < 60; ++k) {
-    const double c = 1 + dot<double>(e, e);
-    V next;
-    next[0] = g[0] * c + f[0] * e[1] * e[2];
-    next[1] = g[1] * c + f[1] * e[2] * next[0];
-    next[2] = g[2] * c + f[2] * next[0] * next[1];
-    const double change = norm<double>(V(next - e));
-    e = next;
-    if (change <= enough) break;
+  const double enough = dot<double>(L_B.cwiseProduct(to_g), L_B.cwiseProduct(to_g)) * 0x1p-104;
+  V L = L_B, e = L.cwiseProduct(to_g);
+  Vec4<double> q(1, 0, 0, 0);
+  for (long step = 0; step < steps; ++step) {
+    // the quaternion (1, e) of the step: e = g (1 + |e|²) + I⁻¹((I e) × e), by fixed point from the last step's; contracts by about |ω|h/2
+    const V g = L.cwiseProduct(to_g);
+    for (int k = 0; k < 60; ++k) {
+      const double c = 1 + dot<double>(e, e);
+      V next;
+      next[0] = g[0] * c + f[0] * e[1] * e[2];
+      next[1] = g[1] * c + f[1] * e[2] * next[0];
+      next[2] = g[2] * c + f[2] * next[0] * next[1];
+      const V change = next - e;
+      e = next;
+      if (dot<double>(change, change) <= enough) break;
+    }
+    const Vec4<double> turn(1, e[0], e[1], e[2]);
+    q = product(q, turn);
+    L = turned_back(turn, L, 2 / (1 + dot<double>(e, e)));
+    if (is_time_to_normalise(step)) q = normalised(q);
   }
-  const Mat3<double> E = rotation_of<double>(Vec4<double>(1, e[0], e[1], e[2]));
-  return {now.R_WB * E, apply_transposed<double>(E, now.L_B)};
+  return q;
 }
 
 }  // namespace
@@ -61,5 +67,8 @@ Motion step_moser_veselov8(const Cuboid<double>& body, const Motion& now, const 
 Motion step_moser_veselov_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<2>, strang, body, now, load, t, h); }
 Motion step_moser_veselov4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<4>, yoshida4, body, now, load, t, h); }
 Motion step_moser_veselov8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) { return composed_step(moser_veselov<8>, kahan_li8, body, now, load, t, h); }
+Motion fly_moser_veselov(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(moser_veselov<2>, body, now, h, steps); }
+Motion fly_moser_veselov4(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(moser_veselov<4>, body, now, h, steps); }
+Motion fly_moser_veselov8(const Cuboid<double>& body, const Motion& now, double h, long steps) { return free_flight(moser_veselov<8>, body, now, h, steps); }
 
 }  // namespace rigor

@@ -16,4 +16,9 @@ Motion step_moser_veselov_under(const Cuboid<double>& body, const Motion& now, c
 Motion step_moser_veselov4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 Motion step_moser_veselov8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 
+/// Without load, many steps at a time.
+Motion fly_moser_veselov(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_moser_veselov4(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_moser_veselov8(const Cuboid<double>& body, const Motion& now, double h, long steps);
+
 }  // namespace rigor

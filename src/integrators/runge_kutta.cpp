@@ -1,7 +1,7 @@
 #include <cmath>
 #include <rigor/integrators/flat_state.hpp>
+#include <rigor/integrators/quaternion.hpp>
 #include <rigor/integrators/runge_kutta.hpp>
-#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 namespace {
@@ -41,6 +41,32 @@ Motion step_rk4(const Cuboid<double>& body, const Motion& now, const Load& load,
   next.R_WB = rotation_of<double>(y.q);
   next.w_WB = apply<double>(next.R_WB, y.w_B);
   return motion_of(body, next);
+}
+
+Motion fly_rk4(const Cuboid<double>& body, const Motion& now, double h, long steps) {
+  const State<double>& s = now.state;
+  const Vec3<double>& I = body.inertia();
+  const Vec3<double> c = body.inverse_inertia().cwiseProduct(Vec3<double>(I[1] - I[2], I[2] - I[0], I[0] - I[1]));
+  // q' = q (0, ω_B)/2 is linear: the attitude is counted from the start, its length does not matter
+  const auto rate_of = [&c](const Spinning& x) {
+    const Vec3<double> &w = x.w_B, half = w / 2;
+    const Vec4<double>& q = x.q;
+    return Spinning{{-(q[1] * half[0] + q[2] * half[1] + q[3] * half[2]), q[0] * half[0] + q[2] * half[2] - q[3] * half[1], q[0] * half[1] + q[3] * half[0] - q[1] * half[2],
+                     q[0] * half[2] + q[1] * half[1] - q[2] * half[0]},
+                    {c[0] * w[1] * w[2], c[1] * w[2] * w[0], c[2] * w[0] * w[1]}};
+  };
+  Spinning x{{1, 0, 0, 0}, apply_transposed<double>(s.R_WB, s.w_WB)};
+  for (long step = 0; step < steps; ++step) {
+    const Spinning k1 = rate_of(x), k2 = rate_of(x.plus(h / 2, k1)), k3 = rate_of(x.plus(h / 2, k2)), k4 = rate_of(x.plus(h, k3));
+    x.q += h / 6 * (k1.q + 2 * (k2.q + k3.q) + k4.q);
+    x.w_B += h / 6 * (k1.w_B + 2 * (k2.w_B + k3.w_B) + k4.w_B);
+    if (is_time_to_normalise(step)) x.q = normalised(x.q);
+  }
+  State<double> end = s;
+  end.p_WB += double(steps) * h * s.v_WB;
+  end.R_WB = s.R_WB * rotation_of<double>(x.q);
+  end.w_WB = apply<double>(end.R_WB, x.w_B);
+  return motion_of(body, end);
 }
 
 Motion step_rk4_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h) {

@@ -26,4 +26,12 @@ Motion step_split2_yoshida4_under(const Cuboid<double>& body, const Motion& now,
 Motion step_split2_kahan_li6_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 Motion step_split2_kahan_li8_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 
+/// Without load, many steps at a time.
+Motion fly_split3(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_split3_yoshida4(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_split2(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_split2_yoshida4(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_split2_kahan_li6(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_split2_kahan_li8(const Cuboid<double>& body, const Motion& now, double h, long steps);
+
 }  // namespace rigor

@@ -10,4 +10,7 @@ Motion step_taylor16(const Cuboid<double>& body, const Motion& now, const Load& 
 /// As the free flow between kicks of the load, seventeen of each. Order 8.
 Motion step_taylor16_under(const Cuboid<double>& body, const Motion& now, const LoadAt& load, double t, double h);
 
+/// Without load, many steps at a time.
+Motion fly_taylor16(const Cuboid<double>& body, const Motion& now, double h, long steps);
+
 }  // namespace rigor

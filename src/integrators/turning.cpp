@@ -1,4 +1,5 @@
 #include <rigor/integrators/turning.hpp>
+#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 
@@ -12,23 +13,39 @@ void move_centre(const Cuboid<double>& body, const V& f_W, double h, State<doubl
   }
 }
 
-Motion kicked_step(FreeTurn turn, const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
-  Motion next = now;
-  move_centre(body, load.f_W, h, next.state);
-  for (int i = 0; i < 3; ++i) next.L_W[i] += h / 2 * load.tau_W[i];
-  next.state.R_WB = turn(body, {now.state.R_WB, apply_transposed<double>(now.state.R_WB, next.L_W)}, h).R_WB;
-  for (int i = 0; i < 3; ++i) next.L_W[i] += h / 2 * load.tau_W[i];
-  const V L_B = apply_transposed<double>(next.state.R_WB, next.L_W);
-  next.state.w_WB = apply<double>(next.state.R_WB, V(L_B.cwiseProduct(body.inverse_inertia())));
-  return next;
-}
-
 namespace {
 
 void renew_spin(const Cuboid<double>& body, Motion& x) {
   const V L_B = apply_transposed<double>(x.state.R_WB, x.L_W);
   x.state.w_WB = apply<double>(x.state.R_WB, V(L_B.cwiseProduct(body.inverse_inertia())));
 }
+void turn_on(FreeTurn turn, const Cuboid<double>& body, double h, long steps, Motion& x) {
+  Mat3<double>& R_WB = x.state.R_WB;
+  R_WB = R_WB * rotation_of<double>(turn(body, apply_transposed<double>(R_WB, x.L_W), h, steps));
+}
+
+}  // namespace
+
+Motion free_flight(FreeTurn turn, const Cuboid<double>& body, const Motion& now, double h, long steps) {
+  Motion x = now;
+  x.state.p_WB += double(steps) * h * x.state.v_WB;
+  turn_on(turn, body, h, steps, x);
+  renew_spin(body, x);
+  return x;
+}
+
+Motion kicked_step(FreeTurn turn, const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  Motion next = now;
+  move_centre(body, load.f_W, h, next.state);
+  for (int i = 0; i < 3; ++i) next.L_W[i] += h / 2 * load.tau_W[i];
+  turn_on(turn, body, h, 1, next);
+  for (int i = 0; i < 3; ++i) next.L_W[i] += h / 2 * load.tau_W[i];
+  renew_spin(body, next);
+  return next;
+}
+
+namespace {
+
 void kick(const Cuboid<double>& body, const LoadAt& load, double t, double h, Motion& x) {
   State<double>& s = x.state;
   const Load at = load(t, s);
@@ -38,7 +55,7 @@ void kick(const Cuboid<double>& body, const LoadAt& load, double t, double h, Mo
 }
 void flow(FreeTurn turn, const Cuboid<double>& body, double h, Motion& x) {
   x.state.p_WB += h * x.state.v_WB;
-  x.state.R_WB = turn(body, {x.state.R_WB, apply_transposed<double>(x.state.R_WB, x.L_W)}, h).R_WB;
+  turn_on(turn, body, h, 1, x);
   renew_spin(body, x);  // the load may look at it
 }
 

@@ -1,18 +1,17 @@
 #pragma once
 #include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/method.hpp>
+#include <rigor/linalg/rotation.hpp>
 #include <span>
 
 namespace rigor {
 
-/// What a rotation method advances: attitude, and angular momentum in body axes.
-struct Turning {
-  Mat3<double> R_WB;
-  Vec3<double> L_B;
-};
+/// A rotation method without torque: how far it turns a body with this angular momentum over equal steps. A quaternion of any
+/// length, from the body's axes at the end to those at the start. What does not change from step to step is made once.
+using FreeTurn = Vec4<double> (*)(const Cuboid<double>& body, const Vec3<double>& L_B, double h, long steps);
 
-/// One step of torque-free rotation.
-using FreeTurn = Turning (*)(const Cuboid<double>& body, const Turning& now, double h);
+/// A free body over equal steps: nothing is derived in between. L in world axes stays the same to the bit.
+Motion free_flight(FreeTurn turn, const Cuboid<double>& body, const Motion& now, double h, long steps);
 
 /// A step of a body whose rotation is a free turn between two half kicks of the torque, and whose centre moves on the
 /// parabola of the held force. The state of the rotation is L in world axes: without torque it stays the same to the bit,

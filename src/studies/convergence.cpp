@@ -10,6 +10,7 @@ State<double> integrate(const Problem& problem, const Method& method, long steps
   const double h = problem.until / double(steps);
   const LoadAt load = [&](double t, const State<double>& s) { return problem.load_at(t, s); };
   Motion m = motion_of(problem.body, problem.start);
+  if (!problem.load && method.fly != nullptr) return method.fly(problem.body, m, h, steps).state;
   for (long k = 0; k < steps; ++k) m = advance(method, problem.body, m, load, double(k) * h, h);
   return m.state;
 }

@@ -1,0 +1,45 @@
+#pragma once
+#include <cmath>
+#include <rigor/linalg/rotation.hpp>
+
+/// The few quaternion operations of the free turns: plain loops without a call to the mathematics library where a step is short.
+namespace rigor {
+
+/// cos √z and sin √z / √z, z ≥ 0, within about 1 ulp: below z = 1/4 the series (next terms z⁸/16!, z⁷/15! < u/2), in pairs so that
+/// the processor has something to do at the same time.
+struct CosSinc {
+  double cos, sinc;
+};
+inline CosSinc cos_sinc(double z) {
+  if (!(z < 0.25)) {
+    const double x = std::sqrt(z);
+    return {std::cos(x), std::sin(x) / x};
+  }
+  const double z2 = z * z, z4 = z2 * z2;
+  return {((1 - z * (1 / 2.)) + z2 * (1 / 24. - z * (1 / 720.))) + z4 * ((1 / 40320. - z * (1 / 3628800.)) + z2 * (1 / 479001600. - z * (1 / 87178291200.))),
+          ((1 - z * (1 / 6.)) + z2 * (1 / 120. - z * (1 / 5040.))) + z4 * ((1 / 362880. - z * (1 / 39916800.)) + z2 * (1 / 6227020800.))};
+}
+
+/// The unit quaternion of a turn by |θ| about θ.
+inline Vec4<double> exp_quaternion(const Vec3<double>& theta) {
+  const CosSinc half = cos_sinc(dot<double>(theta, theta) / 4);
+  const double s = half.sinc / 2;
+  return Vec4<double>(half.cos, s * theta[0], s * theta[1], s * theta[2]);
+}
+
+inline Vec4<double> product(const Vec4<double>& a, const Vec4<double>& b) {
+  return Vec4<double>(a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+                      a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]);
+}
+
+/// Rᵀx of a quaternion whose squared length is 2/`two_over_n`.
+inline Vec3<double> turned_back(const Vec4<double>& q, const Vec3<double>& x, double two_over_n = 2) {
+  const Vec3<double> v(q[1], q[2], q[3]), t = two_over_n * cross<double>(v, x);
+  return Vec3<double>(x - q[0] * t + cross<double>(v, t));
+}
+
+/// Steps between two normalisations of a quaternion whose length does not matter but must not leave the numbers.
+inline bool is_time_to_normalise(long step) { return step % 16 == 15; }
+inline Vec4<double> normalised(const Vec4<double>& q) { return q / std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }
+
+}  // namespace rigor
