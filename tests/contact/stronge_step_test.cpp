@@ -165,24 +165,48 @@ TEST(StrongeStep, KeepsItsApproachOnALegWithoutNormalAcceleration) {
   EXPECT_EQ(want.mode, PlanarMode::sticking);
 }
 
-// One straight leg of restitution: W(p) = v p + slope p^2/2 grows until v_n = 0 again. The impact ends on it if W reaches, on the
-// way there and within the limit, what is left to return; then at that work and still parting; else the leg ends at the limit.
+// k_tn = mu k_tt to the last bit: the slip neither grows nor shrinks.
+// id: friction.stronge
+TEST(StrongeStep, KeepsASlipThatFeelsNoNetPull) {
+  Mat3<double> K;
+  K << 2, 1, 0, 1, 3, 0, 0, 0, 2;
+  const FrictionImpact<double> got = stronge_impulse(K, Vec3<double>(1, -1, 0), Vec3<double>(0, 1, 0), 0.5, 0.5, 0.5);
+  EXPECT_NEAR(got.j_W[1], 1.5 / 2.5, 1e-15);  // k_nn - mu k_tn = 5/2
+  EXPECT_NEAR(got.j_W[0], -0.5 * 1.5 / 2.5, 1e-15);
+  EXPECT_EQ(got.outcome, FrictionOutcome::slid);
+}
+
+// A slip that stops as the impact ends has slid: with restitution, and without.
+// id: friction.stronge
+TEST(StrongeStep, ASlipThatStopsAtTheEndHasSlid) {
+  const Vec3<double> n(0, 1, 0);
+  const FrictionImpact<double> bounces = stronge_impulse(identity3<double>(), Vec3<double>(1, -0.5, 0), n, 1, 1, 1);
+  EXPECT_EQ(bounces.outcome, FrictionOutcome::slid);
+  EXPECT_EQ(bounces.j_W, Vec3<double>(-1, 1, 0));
+  const FrictionImpact<double> plastic = stronge_impulse(identity3<double>(), Vec3<double>(1, -1, 0), n, 0, 1, 1);
+  EXPECT_EQ(plastic.outcome, FrictionOutcome::slid);
+  EXPECT_EQ(plastic.j_W, Vec3<double>(-1, 1, 0));
+}
+
+// One straight leg of restitution: W(p) = v p + slope p^2/2 grows until v_n = 0 again, or, where an earlier leg has left v < 0, falls
+// until v_n = 0. The impact ends on it if W reaches, on the way and within the limit, what is left to return; then at that
+// work and still parting; else the leg ends at the limit.
 // id: friction.stronge
 TEST(StrongeStep, FollowsAStraightLegUntilTheWorkIsReturned) {
   int ends = 0, goes_on = 0;
-  for (const double v : {0.0, 0.25, 1.0, 3.0})
+  for (const double v : {-1.0, 0.0, 0.25, 1.0, 3.0})
     for (const double slope : {-2.0, -0.5, 0.0, 0.75, 4.0})
       for (const double left : {0.0, 0.125, 1.0, 2.0})
         for (const double limit : {0.1, 0.9, 1.1, 5.0, 50.0}) {
           detail::Progress leg{1, {0, 0, 0, 0, 0, v, -left}, -left, true};  // e = 1: all of it comes back
           leg.follow(ImpactAxes{slope, {0, 0}, {}, 0, 1}, 0, 0, limit);
-          const double turn = slope < 0 ? -v / slope : limit, p = std::fmin(turn, limit);
-          const bool reaches = v * p + slope * p * p / 2 >= left;
+          const double turn = slope < 0 ? std::fmax(0.0, -v / slope) : limit, p = std::fmin(turn, limit);
+          const bool reaches = left == 0 || v * p + slope * p * p / 2 >= left;
           ++(reaches ? ends : goes_on);
           EXPECT_EQ(leg.ended, reaches) << v << ' ' << slope << ' ' << left << ' ' << limit;
           EXPECT_NEAR(leg.x.work, reaches ? 0 : v * limit + slope * limit * limit / 2 - left, 1e-12);
           EXPECT_NEAR(leg.x.v_n, v + slope * leg.x.p, 1e-12);
-          EXPECT_GE(leg.x.v_n, reaches ? -1e-7 : -200);  // at the first of two solutions
+          EXPECT_GE(leg.x.v_n, reaches && left > 0 ? -1e-7 : -200);  // at the first of two solutions
           EXPECT_LE(leg.x.p, limit);
           EXPECT_TRUE(left > 0 || leg.x.p == 0);
         }

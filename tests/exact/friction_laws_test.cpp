@@ -406,6 +406,20 @@ TEST(PlanarImpact, HasStrongesDigitsOfTheCubesCorner) {
   EXPECT_NEAR(energy(2.5, -1.5, reverses), -0.0518100934824328402, 4 * bound);
 }
 
+// A slip that stops as the impact ends has slid, under every rule: K = 1, mu = 1, so p_f = p_stop = v_t.
+// id: friction.stronge_planar
+TEST(PlanarImpact, ASlipThatStopsAtTheEndHasSlid) {
+  for (const Restitution rule : {Restitution::stronge, Restitution::poisson, Restitution::newton})
+    for (const Q& e : {Q(0), Q(1, 2), Q(1)}) {
+      const auto impulse = [&](const Q& v_t) {
+        return planar_impulse<Q>({Q(1), Q(1), Q(0), Q(-1), v_t, e, Q(1), Q(1)}, rule);
+      };
+      EXPECT_EQ(impulse(Q(1) + e).mode, PlanarMode::sliding);
+      EXPECT_EQ(impulse(Q(1) + e).j_n, Q(1) + e);
+      EXPECT_EQ(impulse(Q(1) + e - Q(1, 1000)).mode, PlanarMode::sticking);
+    }
+}
+
 // case FR-11: the cube's corner again, with friction added to the frictionless impulse j_r = 4/5. Taken
 // against the slip before, dE = 14/25 μ + 4/5 μ²; clamped with 1/k_tt still +19/100 from μ = 1/4 on. The
 // sheet's rule (slip after, own mass) gives +49/400 at μ = 1 and leaves the corner approaching: the report
