@@ -131,6 +131,9 @@ TEST(StrongeClosedForm, StartsAgainNearlyAQuarterTurnFromTheCoupling) {
 // is none. Then v goes to -e v where friction holds it.
 // id: friction.stronge
 TEST(StrongeClosedForm, SeesNoSlipInAPurelyNormalVelocity) {
+  const Vec3<double> up(0, 1, 0);  // nothing pulls sideways, and without friction nothing sticks
+  EXPECT_EQ(stronge_impulse(identity3<double>(), Vec3<double>(-up), up, 0.5, 0, 0).outcome, FrictionOutcome::slid);
+  EXPECT_EQ(stronge_impulse(identity3<double>(), Vec3<double>(-up), up, 0.5, 0.1, 0).outcome, FrictionOutcome::stuck);
   std::mt19937_64 random(9);
   std::normal_distribution<double> any;
   for (int i = 0; i < 3000; ++i) {
