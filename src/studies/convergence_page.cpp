@@ -1,6 +1,6 @@
 #include <cmath>
-#include <rigor/integrators/method.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <rigor/studies/flight.hpp>
 #include <rigor/studies/pages.hpp>
 
 namespace rigor::studies {
@@ -49,8 +49,10 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
       for (const Row* row : g.rows) ladder.h.push_back(row->cell.steps > 0 ? until / double(row->cell.steps) : row->cell.tolerance);
       report::Series series{g.name, ladder.h, ladder.of(g, "attitude")};
       plot.series.push_back(series);
-      const Method* method = find_method(g.name);
-      std::vector<std::string> line{g.name, method != nullptr ? std::to_string(method->order) : "-"};
+      const Method* method = find_stepper(g.name);
+      const bool free = (*open_problem(problem.name, problem.rows[0]->cell.until))->falls.has_value();
+      const int stated = method == nullptr ? 0 : free ? method->order : method->forced_order;
+      std::vector<std::string> line{g.name, stated > 0 ? std::to_string(stated) : "-"};
       for (const auto& [name, heading] : quantities) line.push_back(order_text(fit_order(ladder.h, ladder.of(g, name)).order));
       const Fit fit = fit_order(ladder.h, ladder.of(g, "attitude"));
       for (const int n : {fit.used, fit.too_coarse, fit.at_floor}) line.push_back(std::to_string(n));

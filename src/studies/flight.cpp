@@ -1,6 +1,7 @@
 #include <cmath>
 #include <reference/sundials.hpp>
 #include <rigor/engine/exact_flight.hpp>
+#include <rigor/engine/flow_methods.hpp>
 #include <rigor/integrators/dormand_prince.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/convergence.hpp>
@@ -88,6 +89,12 @@ const OtherWay* find_other_way(const std::string& name) {
   return nullptr;
 }
 
+const Method* find_stepper(const std::string& name) {
+  for (const Method& method : flow_methods())
+    if (method.name == name) return &method;
+  return find_method(name);
+}
+
 Row fly(const Cell& cell, Student* student) {
   Row row{cell, {}, "", ""};
   const Problem& problem = **open_problem(cell.problem, cell.until);
@@ -106,10 +113,10 @@ Row fly(const Cell& cell, Student* student) {
     row.note = run->settings;
     return row;
   }
-  const OtherWay* way = find_other_way(cell.method);
+  const OtherWay* way = cell.steps > 0 ? nullptr : find_other_way(cell.method);
   const bool controlled = way != nullptr && way->name == "dormand-prince-adaptive";
   if (way != nullptr && !controlled && !problem.falls) return fail(row, "knows no torque");
-  const Method* method = find_method(cell.method);
+  const Method* method = find_stepper(cell.method);
   const auto once = [&]() -> Outcome<Ended> {
     if (way == nullptr) return Ended{integrate(problem, *method, cell.steps), double(cell.steps) * method->evaluations};
     if (controlled) return dormand_prince(problem, cell.tolerance);

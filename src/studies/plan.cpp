@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/base/suggest.hpp>
+#include <rigor/engine/flow_methods.hpp>
 #include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
 #include <rigor/studies/flight.hpp>
@@ -61,6 +62,8 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
   const bool timed = r.kind == "work-precision";
   Names ours = method_names(), known = ours;
   for (const OtherWay& way : other_ways()) known.push_back(way.name);
+  for (const Method& m : flow_methods())
+    if (find_other_way(std::string(m.name)) == nullptr) known.emplace_back(m.name);
   if (const auto fault = unknown(r.methods, known, "--method", "method")) return *fault;
   Names standard = ours;
   if (timed) standard.insert(standard.end(), {"exact", "exact-plain", "dormand-prince-adaptive", "cvode-adams", "arkode-fehlberg8"});
@@ -82,10 +85,15 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
       for (const double tolerance : tolerances_of(r))
         if (tolerance >= least || !r.tolerances.empty()) cells.push_back({r.kind, name, method, 0, tolerance, r.until.value_or(0)});
     };
-    for (const std::string& method : chosen(r.methods, standard)) {
+    Names used = chosen(r.methods, standard);
+    if (r.methods.empty() && !problem.falls)  // on free flight they have no error to study
+      for (const Method& m : flow_methods())
+        if (std::find(used.begin(), used.end(), m.name) == used.end()) used.emplace_back(m.name);
+    for (const std::string& method : used) {
       const OtherWay* way = find_other_way(method);
-      if (way == nullptr) {
-        const auto steps = steps_of(r, problem, timed, find_method(method)->order);
+      const Method* stepper = find_stepper(method);
+      if (way == nullptr || (!problem.falls && stepper != nullptr)) {
+        const auto steps = steps_of(r, problem, timed, problem.falls ? stepper->order : stepper->forced_order);
         if (!steps) return steps.fault();
         add(method, *steps);
       } else if (way->adaptive) {
