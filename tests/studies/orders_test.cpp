@@ -74,12 +74,17 @@ TEST(Orders, WhatIsConservedIsConserved) {
 // A method is right at any step, forwards and backwards: symmetric ones come back to where they began.
 TEST(Orders, SymmetricMethodsAreReversible) {
   const Problem& problem = *find_problem("case-A");
-  for (const char* name : {"implicit-midpoint", "split3", "split3-yoshida4", "split2", "split2-yoshida4", "split2-kahan-li6", "split2-kahan-li8", "moser-veselov"}) {
-    const Method& method = *find_method(name);
+  const std::set<std::string_view> not_symmetric{"sheet", "explicit-euler", "euler-naive", "euler-exponential", "euler-quaternion", "euler-momentum", "rk4", "dormand-prince", "buss-augmented", "rkmk4", "commutator-free4", "taylor16"};
+  for (const Method& method : every_method()) {
     Motion m = motion_of(problem.body, problem.start);
     for (int k = 0; k < 100; ++k) m = method.step(problem.body, m, {}, 0.02);
     for (int k = 0; k < 100; ++k) m = method.step(problem.body, m, {}, -0.02);
-    EXPECT_LT(angle_between<double>(m.state.R_WB, problem.start.R_WB), 1e-12) << name;  // 200 steps of a few u, grown by the flow
+    const double missed = angle_between<double>(m.state.R_WB, problem.start.R_WB);
+    if (not_symmetric.count(method.name) == 0) {
+      EXPECT_LT(missed, 1e-12) << method.name;  // 200 steps of a few u, grown by the flow
+    } else if (method.order <= 2) {
+      EXPECT_GT(missed, 1e-8) << method.name;  // h³ = 8e-6 a step at the least, of one sign
+    }
   }
 }
 
