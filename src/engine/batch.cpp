@@ -2,9 +2,9 @@
 #include <cmath>
 #include <rigor/base/promise.hpp>
 #include <rigor/engine/batch.hpp>
+#include <rigor/engine/shares.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
 #include <string>
-#include <thread>
 
 namespace rigor {
 namespace {
@@ -19,22 +19,13 @@ void put(Field& field, std::size_t i, const Vector& value) {
   for (int k = 0; k < 3; ++k) field[k][i % lanes] = value[k];
 }
 
-using Kernel = void (*)(BatchBlock*, long, double, long);
-Kernel kernel(Instructions instructions) {
-#ifdef __x86_64__
-  if (instructions == Instructions::avx512) return detail::step_blocks_avx512;
-  if (instructions == Instructions::avx2) return detail::step_blocks_avx2;
-#endif
-  promise(instructions == Instructions::baseline, "a batch steps with instructions the processor has");
-  return detail::step_blocks_baseline;
-}
-
 }  // namespace
 
-Outcome<Batch> Batch::make(const std::vector<Cuboid<double>>& bodies, const std::vector<Motion>& motions) {
+Outcome<Batch> Batch::make(const std::vector<Cuboid<double>>& bodies, const std::vector<Motion>& motions, BatchMethod method) {
   if (bodies.size() != motions.size())
     return Fault{Fault::Kind::malformed, "motions", "are " + std::to_string(motions.size()) + ", must be one for each of " + std::to_string(bodies.size()) + " bodies"};
   Batch batch;
+  batch.method_ = method;
   BatchBlock at_rest{};
   for (int lane = 0; lane < lanes; ++lane) at_rest.R[0][lane] = at_rest.R[4][lane] = at_rest.R[8][lane] = 1;
   batch.blocks_.assign((bodies.size() + lanes - 1) / lanes, at_rest);
@@ -68,18 +59,13 @@ void Batch::set_load(std::size_t i, const Load& load) {
 Motion Batch::motion(std::size_t i) const { return {{p_WB(i), R_WB(i), v_WB(i), w_WB(i)}, L_W(i)}; }
 
 void Batch::step(double h, long steps, unsigned threads, std::optional<Instructions> instructions) {
-  promise(steps >= 0 && threads >= 1, "a batch makes steps >= 0 steps on threads >= 1 threads");
-  const Kernel advance = kernel(instructions.value_or(widest_instructions()));
-  const long count = long(blocks_.size());
+  promise(steps >= 0, "a batch makes steps >= 0 steps");
+  const auto& kernels = method_ == BatchMethod::euler_momentum_cross ? detail::euler_momentum_cross_blocks : detail::euler_momentum_blocks;
+  const auto advance = detail::compiled_for(instructions.value_or(widest_instructions()), kernels);
   // Which thread steps a block, and in which company, changes nothing: no lane reads another.
-  const auto run = [this, advance, h, steps](long first, long last) {
+  detail::in_shares(long(blocks_.size()), threads, [this, advance, h, steps](long first, long last) {
     for (long i = first; i < last; i += tile) advance(blocks_.data() + i, std::min(tile, last - i), h, steps);
-  };
-  const long shares = std::clamp(long(threads), 1l, std::max(count, 1l));
-  std::vector<std::jthread> others;
-  if (shares > 1) others.reserve(std::size_t(shares) - 1);
-  for (long k = 1; k < shares; ++k) others.emplace_back(run, count * k / shares, count * (k + 1) / shares);
-  run(0, count / shares);
+  });
 }
 
 }  // namespace rigor

@@ -8,8 +8,11 @@
 
 namespace rigor {
 
-/// Many bodies that do not touch, stepped together by `euler-momentum` (integrators/euler.hpp): lane by lane the bits
-/// of the plain method, on every instruction set and for any number of threads.
+/// The methods of integrators/euler.hpp a batch steps by.
+enum class BatchMethod { euler_momentum, euler_momentum_cross };
+
+/// Many bodies that do not touch, stepped together: lane by lane the bits of the plain method, on every instruction set
+/// and for any number of threads.
 ///
 /// Order 1; without torque L stays the same to the bit (case D-08). For torque-free flight without a step there is
 /// ExactFlight.
@@ -17,7 +20,7 @@ class Batch {
  public:
   /// One motion per body (motion_of makes one from a state); attitudes are rotations.
   /// Faults: malformed, naming "motions", when the counts differ; not_finite, naming "motions[i].v_WB[k]" and so on.
-  static Outcome<Batch> make(const std::vector<Cuboid<double>>& bodies, const std::vector<Motion>& motions);
+  static Outcome<Batch> make(const std::vector<Cuboid<double>>& bodies, const std::vector<Motion>& motions, BatchMethod method = BatchMethod::euler_momentum);
 
   std::size_t size() const { return inverse_mass_.size(); }
 
@@ -48,6 +51,7 @@ class Batch {
 
   std::vector<detail::BatchBlock> blocks_;  // the lanes past size() hold a body at rest
   std::vector<double> inverse_mass_;
+  BatchMethod method_ = BatchMethod::euler_momentum;
 };
 
 }  // namespace rigor

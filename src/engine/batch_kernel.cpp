@@ -1,4 +1,5 @@
-// step_euler_momentum of src/integrators/euler.cpp over lanes: the same operations in the same order, so the same bits.
+// step_euler_momentum and step_euler_momentum_cross of src/integrators/euler.cpp over lanes: the same operations in the
+// same order, so the same bits.
 // Compiled with -O3 -fno-math-errno -fno-trapping-math (CMakeLists.txt), which change no value and let loops be vectors.
 #include <rigor/engine/batch_kernel.hpp>
 
@@ -18,6 +19,10 @@ RIGOR_INLINE V unit(const V& a) {
   const double length = __builtin_sqrt(dot(a, a));
   return {a.x / length, a.y / length, a.z / length};
 }
+RIGOR_INLINE V unit_by_product(const V& a) {
+  const double scale = 1 / __builtin_sqrt(dot(a, a));
+  return {scale * a.x, scale * a.y, scale * a.z};
+}
 RIGOR_INLINE V without(const V& a, const V& u) {
   const double along = dot(u, a);
   return {a.x - along * u.x, a.y - along * u.y, a.z - along * u.z};
@@ -29,7 +34,13 @@ RIGOR_INLINE void put(double (*field)[lanes], int lane, const V& value) {
   field[2][lane] = value.z;
 }
 
-RIGOR_INLINE void step_lane(BatchBlock& b, int lane, double h) {
+RIGOR_INLINE void move_centre(BatchBlock& b, int lane, double h) {
+  const V v = advanced(at(b.v, lane), h, at(b.a, lane));
+  put(b.p, lane, advanced(at(b.p, lane), h, v));
+  put(b.v, lane, v);
+}
+
+RIGOR_INLINE void euler_momentum(BatchBlock& b, int lane, double h) {
   const V c0 = at(b.R, lane), c1 = at(b.R + 3, lane), c2 = at(b.R + 6, lane), k = at(b.inverse_I, lane);
   const V L = advanced(at(b.L, lane), h, at(b.tau, lane));
 
@@ -39,11 +50,9 @@ RIGOR_INLINE void step_lane(BatchBlock& b, int lane, double h) {
   const double xy = dot(k0, row1), xz = dot(k0, row2), yz = dot(k1, row2);
   const V w{dot({dot(k0, row0), xy, xz}, L), dot({xy, dot(k1, row1), yz}, L), dot({xz, yz, dot(k2, row2)}, L)};
 
-  const V v = advanced(at(b.v, lane), h, at(b.a, lane));
-  put(b.p, lane, advanced(at(b.p, lane), h, v));
-  put(b.v, lane, v);
   put(b.L, lane, L);
   put(b.w, lane, w);
+  move_centre(b, lane, h);
 
   const V u0 = unit(advanced(c0, h, cross(w, c0)));
   const V u1 = unit(without(advanced(c1, h, cross(w, c1)), u0));
@@ -53,21 +62,54 @@ RIGOR_INLINE void step_lane(BatchBlock& b, int lane, double h) {
   put(b.R + 6, lane, u2);
 }
 
-RIGOR_INLINE void step_blocks(BatchBlock* blocks, long count, double h, long steps) {
+RIGOR_INLINE void euler_momentum_cross(BatchBlock& b, int lane, double h) {
+  const V c0 = at(b.R, lane), c1 = at(b.R + 3, lane), c2 = at(b.R + 6, lane), k = at(b.inverse_I, lane);
+  const V L = advanced(at(b.L, lane), h, at(b.tau, lane));
+  const V w_B{dot(c0, L) * k.x, dot(c1, L) * k.y, dot(c2, L) * k.z};
+  const V w{dot({c0.x, c1.x, c2.x}, w_B), dot({c0.y, c1.y, c2.y}, w_B), dot({c0.z, c1.z, c2.z}, w_B)};
+  put(b.L, lane, L);
+  put(b.w, lane, w);
+  move_centre(b, lane, h);
+
+  const V a1 = advanced(c1, h, cross(w, c1));
+  const V u0 = unit_by_product(advanced(c0, h, cross(w, c0)));
+  const V u1 = unit_by_product(without(a1, u0));
+  put(b.R, lane, u0);
+  put(b.R + 3, lane, u1);
+  put(b.R + 6, lane, cross(u0, u1));
+}
+
+using StepLane = void(BatchBlock&, int, double);
+template <StepLane* step_lane>
+RIGOR_INLINE void step_all(BatchBlock* blocks, long count, double h, long steps) {
   for (long step = 0; step < steps; ++step)
     for (long i = 0; i < count; ++i)
       for (int lane = 0; lane < lanes; ++lane) step_lane(blocks[i], lane, h);
 }
 
+template <StepLane* step_lane>
+void baseline(BatchBlock* blocks, long count, double h, long steps) {
+  step_all<step_lane>(blocks, count, h, steps);
+}
+#ifdef __x86_64__
+template <StepLane* step_lane>
+[[gnu::target("avx2")]] void avx2(BatchBlock* blocks, long count, double h, long steps) {
+  step_all<step_lane>(blocks, count, h, steps);
+}
+template <StepLane* step_lane>
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void avx512(BatchBlock* blocks, long count, double h, long steps) {
+  step_all<step_lane>(blocks, count, h, steps);
+}
+template <StepLane* step_lane>
+constexpr Compiled<StepBlocks> compiled{baseline<step_lane>, avx2<step_lane>, avx512<step_lane>};
+#else
+template <StepLane* step_lane>
+constexpr Compiled<StepBlocks> compiled{baseline<step_lane>, nullptr, nullptr};
+#endif
+
 }  // namespace
 
-void step_blocks_baseline(BatchBlock* blocks, long count, double h, long steps) { step_blocks(blocks, count, h, steps); }
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]] void step_blocks_avx2(BatchBlock* blocks, long count, double h, long steps) { step_blocks(blocks, count, h, steps); }
-[[gnu::target("avx512f,avx512dq,avx512vl")]] void step_blocks_avx512(BatchBlock* blocks, long count, double h, long steps) {
-  step_blocks(blocks, count, h, steps);
-}
-#endif
+const Compiled<StepBlocks> euler_momentum_blocks = compiled<euler_momentum>;
+const Compiled<StepBlocks> euler_momentum_cross_blocks = compiled<euler_momentum_cross>;
 
 }  // namespace rigor::detail

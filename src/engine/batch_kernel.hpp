@@ -1,4 +1,5 @@
 #pragma once
+#include <rigor/engine/compiled.hpp>
 
 // What the kernel and Batch share. No Eigen and no standard containers: the kernel is compiled for several
 // instruction sets, and nothing that other files compile too may come along.
@@ -18,10 +19,8 @@ struct alignas(64) BatchBlock {
   double inverse_I[3][lanes];  ///< principal, body axes
 };
 
-/// `steps` steps of size h of `count` blocks, by the momentum form of symplectic Euler. All three give the same
-/// bits; the caller sees to it that the processor has the instructions.
-void step_blocks_baseline(BatchBlock* blocks, long count, double h, long steps);
-void step_blocks_avx2(BatchBlock* blocks, long count, double h, long steps);
-void step_blocks_avx512(BatchBlock* blocks, long count, double h, long steps);
+/// `steps` steps of size h of `count` blocks. Each set of instructions gives the same bits.
+using StepBlocks = void(BatchBlock* blocks, long count, double h, long steps);
+extern const Compiled<StepBlocks> euler_momentum_blocks, euler_momentum_cross_blocks;
 
 }  // namespace rigor::detail

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <rigor/base/promise.hpp>
 #include <rigor/engine/flight_batch.hpp>
-#include <thread>
+#include <rigor/engine/shares.hpp>
 #include <tuple>
 
 namespace rigor {
@@ -20,16 +19,6 @@ void put_lane(FlightNumbers<double[flight_lanes]>& block, int lane, const Flight
   double* to = reinterpret_cast<double*>(&block);
   const double* from = reinterpret_cast<const double*>(&flight);
   for (std::size_t k = 0; k < numbers; ++k) to[k * flight_lanes + std::size_t(lane)] = from[k];
-}
-
-using Kernel = void (*)(FlightBlock*, long, double);
-Kernel kernel(Instructions instructions) {
-#ifdef __x86_64__
-  if (instructions == Instructions::avx512) return detail::evaluate_blocks_avx512;
-  if (instructions == Instructions::avx2) return detail::evaluate_blocks_avx2;
-#endif
-  promise(instructions == Instructions::baseline, "a batch works with instructions the processor has");
-  return detail::evaluate_blocks_baseline;
 }
 
 }  // namespace
@@ -69,14 +58,8 @@ void FlightBatch::put(const Place& place, const Attitude& attitude) {
 }
 
 void FlightBatch::evaluate(double t, unsigned threads, std::optional<Instructions> instructions) {
-  promise(threads >= 1, "a batch works on threads >= 1 threads");
-  const Kernel evaluate_blocks = kernel(instructions.value_or(widest_instructions()));
-  const long count = long(evaluated_), shares = std::clamp(long(threads), 1l, std::max(count, 1l));
-  const auto run = [this, evaluate_blocks, t](long first, long last) { evaluate_blocks(blocks_.data() + first, last - first, t); };
-  std::vector<std::jthread> others;
-  if (shares > 1) others.reserve(std::size_t(shares) - 1);
-  for (long k = 1; k < shares; ++k) others.emplace_back(run, count * k / shares, count * (k + 1) / shares);
-  run(0, count / shares);
+  const auto evaluate_blocks = detail::compiled_for(instructions.value_or(widest_instructions()), detail::flight_blocks);
+  detail::in_shares(long(evaluated_), threads, [this, evaluate_blocks, t](long first, long last) { evaluate_blocks(blocks_.data() + first, last - first, t); });
   for (const Rotation& r : rotations_) put(r.place, r.flight.at(t));
 }
 

@@ -31,15 +31,18 @@ template <bool prime>
   }
 }
 
+void baseline(FlightBlock* blocks, long count, double t) { evaluate_blocks(blocks, count, t); }
+#ifdef __x86_64__
+[[gnu::target("avx2,fma")]] void avx2(FlightBlock* blocks, long count, double t) { evaluate_blocks(blocks, count, t); }
+[[gnu::target("avx512f,avx512dq,avx512vl,fma")]] void avx512(FlightBlock* blocks, long count, double t) { evaluate_blocks(blocks, count, t); }
+#endif
+
 }  // namespace
 
-void evaluate_blocks_baseline(FlightBlock* blocks, long count, double t) { evaluate_blocks(blocks, count, t); }
-
 #ifdef __x86_64__
-[[gnu::target("avx2,fma")]] void evaluate_blocks_avx2(FlightBlock* blocks, long count, double t) { evaluate_blocks(blocks, count, t); }
-[[gnu::target("avx512f,avx512dq,avx512vl,fma")]] void evaluate_blocks_avx512(FlightBlock* blocks, long count, double t) {
-  evaluate_blocks(blocks, count, t);
-}
+const Compiled<void(FlightBlock*, long, double)> flight_blocks{baseline, avx2, avx512};
+#else
+const Compiled<void(FlightBlock*, long, double)> flight_blocks{baseline, nullptr, nullptr};
 #endif
 
 }  // namespace rigor::detail

@@ -1,4 +1,5 @@
 #pragma once
+#include <rigor/engine/compiled.hpp>
 #include <rigor/engine/flight_lane.hpp>
 
 namespace rigor::detail {
@@ -14,9 +15,7 @@ struct alignas(64) FlightBlock {
   bool prime;
 };
 
-/// All at t seconds. The same bits from all three; the caller sees to it that the processor has the instructions.
-void evaluate_blocks_baseline(FlightBlock* blocks, long count, double t);
-void evaluate_blocks_avx2(FlightBlock* blocks, long count, double t);  // and fma
-void evaluate_blocks_avx512(FlightBlock* blocks, long count, double t);
+/// All at t seconds; the same bits from each. AVX2 means with fma.
+extern const Compiled<void(FlightBlock* blocks, long count, double t)> flight_blocks;
 
 }  // namespace rigor::detail

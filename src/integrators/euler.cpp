@@ -98,4 +98,22 @@ Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const 
   return next;
 }
 
+Motion step_euler_momentum_cross(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
+  const auto unit = [](const Vec3<double>& a) { return Vec3<double>(1 / norm<double>(a) * a); };
+  const Mat3<double>& R = now.state.R_WB;
+  Motion next = now;
+  next.L_W = advanced(now.L_W, h, load.tau_W);
+  const Vec3<double> w_W = apply<double>(R, Vec3<double>(apply_transposed<double>(R, next.L_W).cwiseProduct(body.inverse_inertia())));
+  next.state.w_WB = w_W;
+  next.state.v_WB = advanced(now.state.v_WB, h, linear_acceleration<double>(body.inverse_mass(), load.f_W));
+  next.state.p_WB = advanced(now.state.p_WB, h, next.state.v_WB);
+  const Vec3<double> c0 = R.col(0), c1 = R.col(1), a1 = advanced(c1, h, cross<double>(w_W, c1));
+  const Vec3<double> u0 = unit(advanced(c0, h, cross<double>(w_W, c0)));
+  const Vec3<double> u1 = unit(advanced(a1, -dot<double>(u0, a1), u0));
+  next.state.R_WB.col(0) = u0;
+  next.state.R_WB.col(1) = u1;
+  next.state.R_WB.col(2) = cross<double>(u0, u1);
+  return next;
+}
+
 }  // namespace rigor

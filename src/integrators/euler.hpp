@@ -25,6 +25,10 @@ Vec4<double> naive_quaternion_step(double h, const Vec3<double>& w_WB, const Vec
 /// Momentum form: L' = L + h τ, ω' = I⁻¹ L' at the old attitude, R' = GramSchmidt(R + h[ω']ₓ R). Order 1; without
 /// torque L stays the same to the bit (case D-08).
 Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// The same with fewer operations: ω' = R I_B⁻¹ Rᵀ L', two columns of R + h[ω']ₓ R repaired, the third their cross product.
+/// Order 1; a rotation, never a reflection; without torque L stays the same to the bit.
+Motion step_euler_momentum_cross(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 /// Without load, many steps at a time.
 Motion fly_euler_momentum(const Cuboid<double>& body, const Motion& now, double h, long steps);
 

@@ -22,6 +22,7 @@ const std::vector<Method>& methods() {
       {"euler-exponential", 1, 1, "", 1, "Rodrigues' formula in place of the repair", step_euler_exponential},
       {"euler-quaternion", 1, 1, "", 1, "a quaternion in place of R, made a unit one; case K-08", step_euler_quaternion},
       {"euler-momentum", 1, 1, "L", 1, "angular momentum as state, case D-08", step_euler_momentum, nullptr, fly_euler_momentum},
+      {"euler-momentum-cross", 1, 1, "L", 1, "angular momentum as state, third column by cross product", step_euler_momentum_cross},
       {"rk4", 4, 4, "", 4, "Kutta 1901, on quaternions", step_rk4, step_rk4_under, fly_rk4},
       {"dormand-prince", 5, 5, "", 6, "Dormand and Prince 1980; equal steps", step_dormand_prince, step_dormand_prince_under},
       {"implicit-midpoint", 2, 2, "L, energy", 8, "Lewis and Simo 1994; Cayley's map", step_implicit_midpoint, step_implicit_midpoint_under, fly_implicit_midpoint},

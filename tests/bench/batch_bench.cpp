@@ -1,4 +1,4 @@
-// Nanoseconds per body-step of the batch beside the plain method it equals.
+// Nanoseconds per body-step of the batch beside the plain methods it equals and, where they are installed, beside Bullet and ODE.
 #include <benchmark/benchmark.h>
 
 #include <rigor/engine/batch.hpp>
@@ -26,29 +26,31 @@ void count_steps(benchmark::State& state, long body_steps) {
       benchmark::Counter(double(body_steps) * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void plain(benchmark::State& state) {
+void plain(benchmark::State& state, Motion (*step)(const Cuboid<double>&, const Motion&, const Load&, double)) {
   std::vector<Motion> motions = starts(state.range(0));
   for (auto _ : state) {
-    for (Motion& motion : motions) motion = step_euler_momentum(body, motion, {}, 1e-3);
+    for (Motion& motion : motions) motion = step(body, motion, {}, 1e-3);
     benchmark::ClobberMemory();
   }
   count_steps(state, state.range(0));
 }
-BENCHMARK(plain)->Arg(1000);
+BENCHMARK_CAPTURE(plain, momentum, step_euler_momentum)->Arg(1000);
+BENCHMARK_CAPTURE(plain, cross, step_euler_momentum_cross)->Arg(1000);
 
 const int registered = [] {
-  for (const Instructions with : supported_instructions())
-    for (const long n : {1000, 100000})
-      for (const long steps : {1, 100})
-        for (const unsigned threads : {1u, 2u})
-          if (threads == 1 || (steps == 100 && with == supported_instructions().back()))
-            benchmark::RegisterBenchmark(("batch/" + std::string(name(with)) + "/bodies:" + std::to_string(n) + "/steps at once:" + std::to_string(steps) + "/threads:" + std::to_string(threads)).c_str(),
-                                         [=](benchmark::State& state) {
-                                           Batch batch = *Batch::make(std::vector<Cuboid<double>>(std::size_t(n), body), starts(n));
-                                           for (auto _ : state) batch.step(1e-3, steps, threads, with);
-                                           count_steps(state, n * steps);
-                                         })
-                ->UseRealTime();
+  for (const auto& [method, label] : {std::pair{BatchMethod::euler_momentum, "momentum"}, {BatchMethod::euler_momentum_cross, "cross"}})
+    for (const Instructions with : supported_instructions())
+      for (const long n : {1000, 100000})
+        for (const long steps : {1, 100})
+          for (const unsigned threads : {1u, 2u})
+            if (threads == 1 || (steps == 100 && with == supported_instructions().back()))
+              benchmark::RegisterBenchmark(("batch/" + std::string(label) + "/" + name(with) + "/bodies:" + std::to_string(n) + "/steps at once:" + std::to_string(steps) + "/threads:" + std::to_string(threads)).c_str(),
+                                           [=, method = method](benchmark::State& state) {
+                                             Batch batch = *Batch::make(std::vector<Cuboid<double>>(std::size_t(n), body), starts(n), method);
+                                             for (auto _ : state) batch.step(1e-3, steps, threads, with);
+                                             count_steps(state, n * steps);
+                                           })
+                  ->UseRealTime();
   return 0;
 }();
 

@@ -41,6 +41,7 @@ struct World {
   std::vector<Cuboid<double>> bodies;
   std::vector<Motion> motions;
   std::vector<Load> loads;
+  BatchMethod method = BatchMethod::euler_momentum;
 
   void add(const Cuboid<double>& body, const State<double>& state, const Load& load) {
     bodies.push_back(body);
@@ -48,18 +49,21 @@ struct World {
     loads.push_back(load);
   }
   Batch batch() const {
-    Batch made = *Batch::make(bodies, motions);
+    Batch made = *Batch::make(bodies, motions, method);
     for (std::size_t i = 0; i < loads.size(); ++i) made.set_load(i, loads[i]);
     return made;
   }
   // the plain method, body by body
   std::vector<Motion> plain(double h, long steps) const {
     std::vector<Motion> now = motions;
+    const auto step = method == BatchMethod::euler_momentum ? step_euler_momentum : step_euler_momentum_cross;
     for (std::size_t i = 0; i < now.size(); ++i)
-      for (long k = 0; k < steps; ++k) now[i] = step_euler_momentum(bodies[i], now[i], loads[i], h);
+      for (long k = 0; k < steps; ++k) now[i] = step(bodies[i], now[i], loads[i], h);
     return now;
   }
 };
+
+constexpr BatchMethod both[] = {BatchMethod::euler_momentum, BatchMethod::euler_momentum_cross};
 
 // Three different edges, generic attitude, off the origin, spinning, pushed and turned; every third body without a load.
 World random_world(int count, unsigned seed) {
@@ -97,15 +101,17 @@ void expect_same(const Batch& batch, const std::vector<Motion>& want, const std:
 
 // Counts around the lanes of a block and the blocks of a tile (8 and 128 bodies).
 TEST(Batch, HasTheBitsOfThePlainMethodOnEveryInstructionSet) {
-  for (const int count : {1, 7, 8, 9, 127, 128, 129, 300}) {
-    const World world = random_world(count, unsigned(count));
-    const auto want = world.plain(0.01, 40);
-    for (const Instructions with : supported_instructions()) {
-      Batch batch = world.batch();
-      batch.step(0.01, 40, 1, with);
-      expect_same(batch, want, name(with));
+  for (const BatchMethod method : both)
+    for (const int count : {1, 7, 8, 9, 127, 128, 129, 300}) {
+      World world = random_world(count, unsigned(count));
+      world.method = method;
+      const auto want = world.plain(0.01, 40);
+      for (const Instructions with : supported_instructions()) {
+        Batch batch = world.batch();
+        batch.step(0.01, 40, 1, with);
+        expect_same(batch, want, name(with));
+      }
     }
-  }
 }
 
 // Signed zeros, numbers without full precision, spins of twenty turns a step, steps backwards: still the same bits.
@@ -122,14 +128,16 @@ TEST(Batch, HasTheBitsOfThePlainMethodOnAwkwardNumbers) {
         s.w_WB = w;
         world.add(body, s, load);
       }
-  for (const double h : {0.01, -0.01, 0.0, -0.0, 1e-300}) {
-    const auto want = world.plain(h, 7);
-    for (const Instructions with : supported_instructions()) {
-      Batch batch = world.batch();
-      batch.step(h, 7, 1, with);
-      expect_same(batch, want, name(with) + std::string(", h ") + std::to_string(h));
+  for (const BatchMethod method : both)
+    for (const double h : {0.01, -0.01, 0.0, -0.0, 1e-300}) {
+      world.method = method;
+      const auto want = world.plain(h, 7);
+      for (const Instructions with : supported_instructions()) {
+        Batch batch = world.batch();
+        batch.step(h, 7, 1, with);
+        expect_same(batch, want, name(with) + std::string(", h ") + std::to_string(h));
+      }
     }
-  }
 }
 
 // case ST-07: the number of threads changes nothing, and neither does asking for the steps one by one.
@@ -161,9 +169,12 @@ TEST(Batch, TakesNewLoadsBetweenSteps) {
 TEST(Batch, KeepsAngularMomentumToTheBitWithoutTorque) {
   World world = random_world(64, 8);
   for (Load& load : world.loads) load.tau_W = zero3<double>();
-  Batch batch = world.batch();
-  batch.step(0.01, 10000);
-  for (std::size_t i = 0; i < batch.size(); ++i) EXPECT_EQ(V(batch.L_W(i)), world.motions[i].L_W);
+  for (const BatchMethod method : both) {
+    world.method = method;
+    Batch batch = world.batch();
+    batch.step(0.01, 10000);
+    for (std::size_t i = 0; i < batch.size(); ++i) EXPECT_EQ(V(batch.L_W(i)), world.motions[i].L_W);
+  }
 }
 
 TEST(Batch, ShowsItsStateWithoutCopying) {

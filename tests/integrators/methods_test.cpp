@@ -66,7 +66,7 @@ TEST(FreeFall, LeadsOrLagsTheParabolaByHalfGHT) {
   const State<double> s = generic();
   const double parabola = s.p_WB[1] + T * s.v_WB[1] + g * T * T / 2, bound = gamma_bound(4 * 200) * 40;
   EXPECT_NEAR(fly("explicit-euler", plate, s, T, 200, weight).p_WB[1] - parabola, -g * h * T / 2, bound);
-  for (const char* name : {"sheet", "euler-naive", "euler-exponential", "euler-momentum"})
+  for (const char* name : {"sheet", "euler-naive", "euler-exponential", "euler-momentum", "euler-momentum-cross"})
     EXPECT_NEAR(fly(name, plate, s, T, 200, weight).p_WB[1] - parabola, g * h * T / 2, bound) << name;
   EXPECT_NEAR(fly("rk4", plate, s, T, 200, weight).p_WB[1], parabola, bound);
 }

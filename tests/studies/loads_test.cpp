@@ -57,7 +57,7 @@ TEST(Springs, OscillateWithTheirFrequency) {
   p.end.v_WB = -w * std::sin(w * 3) * p.start.p_WB;
   p.end.R_WB = exp_so3<double>(V(0, 0, 0.4 * std::cos(turn * 3)));
   p.end.w_WB = V(0, 0, -turn * 0.4 * std::sin(turn * 3));
-  for (const char* m : {"sheet", "euler-exponential", "euler-momentum", "explicit-euler"}) EXPECT_NEAR(order(p, m, 4000), 1, 0.05) << m;
+  for (const char* m : {"sheet", "euler-exponential", "euler-momentum", "euler-momentum-cross", "explicit-euler"}) EXPECT_NEAR(order(p, m, 4000), 1, 0.05) << m;
   for (const char* m : {"rk4", "rkmk4", "dormand-prince", "split2", "split2-yoshida4", "split2-kahan-li6", "implicit-midpoint"}) {
     const int stated = find_method(m)->forced_order;
     EXPECT_NEAR(observed_order(*find_method(m), p, stated).order, stated, order_slack(stated)) << m;
