@@ -79,37 +79,43 @@ RIGOR_INLINE void euler_momentum_cross(BatchBlock& b, int lane, double h) {
   put(b.R + 6, lane, cross(u0, u1));
 }
 
-using StepLane = void(BatchBlock&, int, double);
-template <StepLane* step_lane>
+// Types and not pointers to functions: inlined before the loop over lanes is looked at, which then becomes vectors.
+template <class StepLane>
 RIGOR_INLINE void step_all(BatchBlock* blocks, long count, double h, long steps) {
   for (long step = 0; step < steps; ++step)
     for (long i = 0; i < count; ++i)
-      for (int lane = 0; lane < lanes; ++lane) step_lane(blocks[i], lane, h);
+      for (int lane = 0; lane < lanes; ++lane) StepLane::step(blocks[i], lane, h);
 }
+struct Momentum {
+  RIGOR_INLINE static void step(BatchBlock& b, int lane, double h) { euler_momentum(b, lane, h); }
+};
+struct MomentumCross {
+  RIGOR_INLINE static void step(BatchBlock& b, int lane, double h) { euler_momentum_cross(b, lane, h); }
+};
 
-template <StepLane* step_lane>
+template <class StepLane>
 void baseline(BatchBlock* blocks, long count, double h, long steps) {
-  step_all<step_lane>(blocks, count, h, steps);
+  step_all<StepLane>(blocks, count, h, steps);
 }
 #ifdef __x86_64__
-template <StepLane* step_lane>
+template <class StepLane>
 [[gnu::target("avx2")]] void avx2(BatchBlock* blocks, long count, double h, long steps) {
-  step_all<step_lane>(blocks, count, h, steps);
+  step_all<StepLane>(blocks, count, h, steps);
 }
-template <StepLane* step_lane>
+template <class StepLane>
 [[gnu::target("avx512f,avx512dq,avx512vl")]] void avx512(BatchBlock* blocks, long count, double h, long steps) {
-  step_all<step_lane>(blocks, count, h, steps);
+  step_all<StepLane>(blocks, count, h, steps);
 }
-template <StepLane* step_lane>
-constexpr Compiled<StepBlocks> compiled{baseline<step_lane>, avx2<step_lane>, avx512<step_lane>};
+template <class StepLane>
+constexpr Compiled<StepBlocks> compiled{baseline<StepLane>, avx2<StepLane>, avx512<StepLane>};
 #else
-template <StepLane* step_lane>
-constexpr Compiled<StepBlocks> compiled{baseline<step_lane>, nullptr, nullptr};
+template <class StepLane>
+constexpr Compiled<StepBlocks> compiled{baseline<StepLane>, nullptr, nullptr};
 #endif
 
 }  // namespace
 
-const Compiled<StepBlocks> euler_momentum_blocks = compiled<euler_momentum>;
-const Compiled<StepBlocks> euler_momentum_cross_blocks = compiled<euler_momentum_cross>;
+const Compiled<StepBlocks> euler_momentum_blocks = compiled<Momentum>;
+const Compiled<StepBlocks> euler_momentum_cross_blocks = compiled<MomentumCross>;
 
 }  // namespace rigor::detail
