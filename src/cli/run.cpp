@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/progress.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/run.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/scene/trajectory.hpp>
@@ -18,7 +20,8 @@ struct Options {
   std::vector<std::string> beside;
   std::optional<double> dt, until, every;
   std::uint64_t seed = 0;
-  bool json = false, quiet = false, no_skip = false;
+  std::vector<std::string> no_skip;
+  bool json = false, quiet = false, explain = false;
 };
 
 int bad_input(const Fault& fault) {
@@ -44,13 +47,32 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
     std::printf("  bounces ended      cuboid %zu at t = %.9g s, %.2g s left out\n", a.body, a.at, a.tail);
   for (const HandOver& h : run.handed_over)
     std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s:\n    %s\n", h.body, h.from, h.to, h.why.c_str());
-  const auto skips = [](long left_out, long of, const char* what) {
-    if (of > 0) std::printf("  skipped            %.1f %% of %ld %s\n", 100 * double(left_out) / double(of), of, what);
-  };
-  skips(l.skips.pairs, l.skips.pairs_of, "pairs: not near in that step");
-  skips(l.skips.planes, l.skips.planes_of, "cuboids against planes: out of reach");
+  for (const PlanLine& line : plan({}, l.skips))
+    if (line.skipped && line.of > 0) std::printf("  skipped            %.1f %% of %ld %s\n", 100 * double(line.left_out) / double(line.of), line.of, line.what.c_str());
   std::printf("  deepest overlap    %.3g m\n", l.deepest_penetration);
   std::printf("  orthonormality     off by %.2g at worst\n", l.worst_orthonormality);
+}
+
+// What the scene needs, and what was left out, each with its reason.
+void explain(const Scene& scene, const Skips& skips, const RunSummary& run) {
+  std::printf("plan of %s\n", scene.name.c_str());
+  const auto needs = [](const char* what, bool needed, const std::string& why) { std::printf("  %-8s %-9s %s\n", needed ? "needs" : "needs no", what, why.c_str()); };
+  const std::size_t n = scene.bodies.size(), partners = n > 0 ? n - 1 : 0;
+  const bool vacuum = std::any_of(scene.actions.begin(), scene.actions.end(), [](const SceneAction& a) { return a.what == SceneAction::Do::vacuum_on; });
+  const bool torque = !scene.forces.empty() || vacuum;
+  const auto count = [](std::size_t k, const char* what) { return std::to_string(k) + " " + what + (k == 1 ? "" : "s"); };
+  needs("planes", n > 0 && !scene.planes.empty(), count(scene.planes.size(), "plane") + ", " + count(n, "cuboid"));
+  needs("pairs", n > 1, count(n * partners / 2, "pair") + " of cuboids");
+  needs("friction", !scene.surface.frictionless() && !scene.planes.empty(),
+        scene.surface.frictionless() ? "both coefficients are 0" : scene.planes.empty() ? "it acts on planes only" : std::string("law ") + name(scene.friction_law));
+  needs("torque", torque, torque ? "forces or the vacuum" : "no force but gravity");
+  if (scene.method == "located") {
+    std::printf("  needs no steps     flights in closed form, searched impact by impact\n");
+    return;
+  }
+  for (const PlanLine& line : plan(skips, run.ledger.skips))
+    if (line.skipped) std::printf("  skips    %-9s %ld of %ld %s\n%21s%s\n", line.id.c_str(), line.left_out, line.of, line.what.c_str(), "", line.effect.c_str());
+    else std::printf("  does     %-9s all %ld %s\n", line.id.c_str(), line.of, line.what.c_str());
 }
 
 std::string lead(const Scene& scene, const RunSummary& run) {
@@ -63,7 +85,7 @@ std::string lead(const Scene& scene, const RunSummary& run) {
 }
 
 // Runs the scene by its method; what is to be replayed goes into `recording`, where there is one.
-Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recording, const Observer& observe, bool skip = true) {
+Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recording, const Observer& observe, const Skips& skips = {}) {
   const Observer both = [&](double t, const std::vector<State<double>>& states) {
     observe(t, states);
     if (recording != nullptr) recording->add(t, states);
@@ -74,7 +96,7 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
     });
   return simulate(scene, both, [&](const Impact& impact) {
     if (recording != nullptr) recording->impact(impact);
-  }, skip);
+  }, skips);
 }
 
 // The scene by each method of --beside, only to be looked at.
@@ -103,6 +125,10 @@ int run_command(const Options& options) {
 
   TrajectoryCsv csv(scene.bodies.size());
   const bool keep = !options.out.empty();
+  Skips wanted;
+  wanted.monitors = options.quiet && !options.json && !keep;
+  const auto skips = without(wanted, options.no_skip);
+  if (!skips) return bad_input({skips.fault().kind, "--" + skips.fault().where, skips.fault().what});
   std::vector<view::Recording> recordings;
   if (keep) recordings.emplace_back(scene, scene.method);
   Progress progress(!options.quiet, " %");
@@ -110,7 +136,7 @@ int run_command(const Options& options) {
   const auto done = simulate_recorded(scene, keep ? &recordings[0] : nullptr, [&](double t, const std::vector<State<double>>& states) {
     if (scene.until > 0) progress(long(100 * t / scene.until), 100);
     if (keep) csv.add(t, states);
-  }, !options.no_skip);
+  }, *skips);
   if (!done) return bad_input(done.fault());
   const RunSummary run = *done;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -130,6 +156,7 @@ int run_command(const Options& options) {
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
   else if (!options.quiet) print(scene, run, wall);
+  if (options.explain) explain(scene, *skips, run);
   if (!run.stopped.empty()) {
     std::fprintf(stderr, "rigor run: stopped at t = %g s: %s\n", run.t_end, run.stopped.c_str());
     return 1;
@@ -153,11 +180,12 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--dt", options->dt, "step, s");
   command->add_option("--until", options->until, "end, s");
   command->add_option("--every", options->every, "output interval, s; 0: each step");
-  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(CLI::Range(1.0, 0x1p53));
+  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
-  command->add_flag("--no-skip", options->no_skip, "look at every pair and plane in every step (steppers); the same bits, slower");
-  command->add_flag("--json", options->json, "print summary.json");
+  command->add_option("--no-skip", options->no_skip, "do what could be left out (steppers): pairs, planes, loads, monitors or all; the same bits, slower")->delimiter(',');
+  CLI::Option* explained = command->add_flag("--explain", options->explain, "print what the scene needs and what was left out, why and how often");
+  command->add_flag("--json", options->json, "print summary.json")->excludes(explained);
   command->add_flag("--quiet", options->quiet, "print nothing");
   command->footer("Example:  rigor run assignment --seed 3 --out runs/three");
   command->callback([options, &exit_status] { exit_status = run_command(*options); });

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/cli/in_range.hpp>
 #include <rigor/cli/view.hpp>
 #include <rigor/live/server.hpp>
 #include <rigor/view/page.hpp>
@@ -56,7 +57,7 @@ void add_view(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("view", "a scene live in a browser: keys, sliders, a hand that pulls");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
   command->add_option("--port", options->port, "of 127.0.0.1; any free one by default");
-  command->add_option("--seed", options->seed, "of the scene's random numbers");
+  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(1.0, 0x1p53));
   command->add_option("--method", options->method, "integrator in place of the scene's");
   command->footer("Example:  rigor view assignment");
   command->callback([options, &exit_status] { exit_status = view_command(*options); });

@@ -21,6 +21,8 @@ struct Ledger {
   struct Skips {
     long pairs = 0, pairs_of = 0;     ///< pairs no step looked at, being far apart; of all pairs in all steps
     long planes = 0, planes_of = 0;   ///< cuboids against planes settled by the sphere around the cuboid; of all
+    long loads = 0, loads_of = 0;     ///< sums of forces on a cuboid kept from the step before; of all
+    long monitors = 0, monitors_of = 0;  ///< steps after which no accounts were made up; of all
   } skips;
   long impacts = 0, plane_impacts = 0, pair_impacts = 0;
   long energy_rises = 0;            ///< impacts after which there was more kinetic energy than before

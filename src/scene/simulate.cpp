@@ -4,9 +4,9 @@
 
 namespace rigor {
 
-RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact, bool skip) {
+RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact, const Skips& skips) {
   World world(scene, on_impact);
-  if (!skip) world.skip_nothing();
+  world.set_skips(skips);
   RunSummary summary;
   observe(0, world.states());
   const long steps = scene.until > 0 ? std::max(1L, long(std::ceil(scene.until / scene.dt - 1e-9))) : 0;
@@ -29,6 +29,7 @@ RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObs
       break;
     }
   }
+  world.make_up_accounts();
   summary.ledger = world.ledger();
   return summary;
 }

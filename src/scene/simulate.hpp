@@ -41,7 +41,7 @@ struct RunSummary {
 /// Friction acts on planes only, pairs have the normal impulse (as the assignment asks). Contact points of a pair: the
 /// centroid of the manifold, or the handed-out corner. Impacts are told as they happen, before the `observe` of their step.
 ///
-/// `skip` leaves out what cannot matter: pairs far apart, planes no corner reaches. Same bits with and without.
-RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact = {}, bool skip = true);
+/// `skips` leaves out what cannot matter (plan.hpp). Same bits with and without.
+RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObserver& on_impact = {}, const Skips& skips = {});
 
 }  // namespace rigor

@@ -34,7 +34,9 @@ void World::step(double t, double h) {
     for (const Plane<double>& plane : scene_.planes) against_plane(i, plane);
   pairs();
   for (std::size_t i = 0; i < motions_.size(); ++i) advance(i, h);
-  audit();
+  ++ledger_.skips.monitors_of;
+  if (skips_.monitors) ++ledger_.skips.monitors;
+  else audit();
 }
 
 std::vector<State<double>> World::states() const {
@@ -53,6 +55,7 @@ void World::act(double t) {
 }
 void World::press(SceneAction::Do what) {
   const double before = potential();
+  steady_ = false;
   switch (what) {
     case SceneAction::Do::gravity_on: gravity_ = scene_.gravity, gravity_on_ = true; break;
     case SceneAction::Do::gravity_off: gravity_ = zero3<double>(), gravity_on_ = false; break;
@@ -80,6 +83,12 @@ void World::start_vacuum() {
   }
 }
 void World::sum_forces(double t) {
+  ledger_.skips.loads_of += long(motions_.size());
+  if (skips_.loads && steady_) {
+    ledger_.skips.loads += long(motions_.size());
+    return;
+  }
+  steady_ = scene_.forces.empty() && !hand_;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     Wrench<double> sum = add_force<double>({}, zero3<double>(), V(shape(i).mass() * gravity_));
     loads_[i] = {V(sum.f_W + vacuum_[i].f_W), V(sum.tau_W + vacuum_[i].tau_W)};
@@ -119,7 +128,7 @@ void World::move(std::size_t i, const V& shift) {
 void World::against_plane(std::size_t i, const Plane<double>& plane) {
   const State<double> before = motions_[i].state;
   ++ledger_.skips.planes_of;
-  if (skip_ && plane.gap(before.p_WB) > norm<double>(shape(i).size()) / 2 * 1.000001) {  // no corner reaches it
+  if (skips_.planes && plane.gap(before.p_WB) > norm<double>(shape(i).size()) / 2 * 1.000001) {  // no corner reaches it
     ++ledger_.skips.planes;
     return;
   }
@@ -145,7 +154,7 @@ void World::pairs() {
   const std::size_t n = motions_.size();
   ledger_.skips.pairs_of += long(n) * (long(n) - 1) / 2;
   std::size_t i = 0, j = 0;
-  if (skip_) {
+  if (skips_.pairs) {
     std::vector<V> centres;
     for (const Motion& m : motions_) centres.push_back(m.state.p_WB);
     const double margin = n == 0 ? 0 : *std::max_element(reach_.begin(), reach_.end()) / 4;

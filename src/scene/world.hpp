@@ -5,7 +5,7 @@
 #include <rigor/contact/impact.hpp>
 #include <rigor/formulas/force_sum.hpp>
 #include <rigor/integrators/method.hpp>
-#include <rigor/scene/ledger.hpp>
+#include <rigor/scene/plan.hpp>
 #include <rigor/scene/scene.hpp>
 #include <vector>
 
@@ -35,8 +35,10 @@ class World {
   bool gravity() const { return gravity_on_; }
   bool vacuum() const { return vacuum_on_; }
 
-  /// Look at every pair in every step. What is skipped otherwise cannot touch: the result has the same bits.
-  void skip_nothing() { skip_ = false; }
+  /// What is left out from now on (plan.hpp); the states have the same bits with and without.
+  void set_skips(const Skips& skips) { skips_ = skips; }
+  /// The accounts up to now, where `monitors` left them out.
+  void make_up_accounts() { audit(); }
 
   /// A key press, now.
   void press(SceneAction::Do what);
@@ -45,8 +47,8 @@ class World {
   void set_method(const std::string& name);
   /// A hand: a damped spring from a point of a body (body axes, m) to a place (world axes, m), until released. Its
   /// stiffness is 30 N/m for each kg, its damping critical for the whole mass; its work counts as a force's.
-  void hold(std::size_t body, const Vec3<double>& at_B, const Vec3<double>& to_W) { hand_ = Hand{body, at_B, to_W}; }
-  void release() { hand_.reset(); }
+  void hold(std::size_t body, const Vec3<double>& at_B, const Vec3<double>& to_W) { hand_ = Hand{body, at_B, to_W}, steady_ = false; }
+  void release() { hand_.reset(), steady_ = false; }
 
  private:
   struct Hand {
@@ -81,7 +83,8 @@ class World {
   Vec3<double> gravity_;
   bool gravity_on_ = true, vacuum_on_ = false;
   std::size_t next_action_ = 0;
-  bool skip_ = true;
+  Skips skips_;
+  bool steady_ = false;  // loads_ hold gravity and vacuum as they are now, and nothing else
   std::vector<double> reach_;  // of each cuboid: half its diagonal and 0.01 m
   std::vector<double> shifted_;  // by position corrections since `pairs` began, m
   double worst_shift_ = 0;

@@ -6,14 +6,15 @@
 namespace rigor {
 namespace {
 
-std::vector<State<double>> end_of(const Scene& s, bool skip, RunSummary& summary) {
+std::vector<State<double>> end_of(const Scene& s, const Skips& skips, RunSummary& summary) {
   std::vector<State<double>> end;
-  summary = simulate(s, [&](double, const std::vector<State<double>>& states) { end = states; }, {}, skip);
+  summary = simulate(s, [&](double, const std::vector<State<double>>& states) { end = states; }, {}, skips);
   return end;
 }
-void expect_same_bits(const Scene& s) {
+// Everything skipped against everything but one, for each, and against nothing.
+void expect_same_bits(const Scene& s, const Skips& other) {
   RunSummary with, without;
-  const auto a = end_of(s, true, with), b = end_of(s, false, without);
+  const auto a = end_of(s, {true, true, true, true}, with), b = end_of(s, other, without);
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].p_WB, b[i].p_WB) << i;
     EXPECT_EQ(a[i].R_WB, b[i].R_WB) << i;
@@ -22,8 +23,19 @@ void expect_same_bits(const Scene& s) {
   }
   EXPECT_EQ(with.ledger.impacts, without.ledger.impacts);
   EXPECT_EQ(with.ledger.energy.end, without.ledger.energy.end);
-  EXPECT_EQ(without.ledger.skips.pairs, 0);
-  EXPECT_EQ(without.ledger.skips.planes, 0);
+  EXPECT_EQ(with.ledger.energy.correction, without.ledger.energy.correction);
+  EXPECT_EQ(with.ledger.linear.end, without.ledger.linear.end);
+  for (const PlanLine& line : plan(other, without.ledger.skips)) {
+    EXPECT_TRUE(line.skipped || line.left_out == 0) << line.id;
+  }
+  EXPECT_EQ(with.ledger.skips.monitors, with.ledger.skips.monitors_of);
+}
+void expect_same_bits(const Scene& s) {
+  const Skips all{true, true, true, true};
+  for (const char* id : {"pairs", "planes", "loads", "monitors", "all"}) {
+    SCOPED_TRACE(id);
+    expect_same_bits(s, *without(all, {id}));
+  }
 }
 
 // What is skipped cannot matter: the assignment's scene, and a crowd of sixty that falls on itself so that position
@@ -48,6 +60,22 @@ TEST(Skip, ChangesNoBit) {
   expect_same_bits(crowd);
 }
 
+// Sums of forces are made anew when forces, switches or the vacuum change them.
+TEST(Skip, ChangesNoBitWhereForcesChange) {
+  Scene s = builtin_scene("assignment", 4);
+  s.until = 2;
+  s.actions = {{0.3, SceneAction::Do::vacuum_on}, {0.7, SceneAction::Do::gravity_off}, {1.1, SceneAction::Do::vacuum_off}, {1.4, SceneAction::Do::gravity_on}};
+  expect_same_bits(s);
+  SceneForce push;
+  push.body = 1, push.force = Vec3<double>(3, 20, -5), push.at = Vec3<double>(0.1, 0, 0.2), push.from = 0.2, push.to = 0.6;
+  s.forces = {push};
+  expect_same_bits(s);
+}
+
+TEST(Skip, NamesWhatItDoesNotKnow) {
+  EXPECT_EQ(without({}, {"pairs", "friction"}).fault().text(), "no-skip is \"friction\", must be one of all, pairs, planes, loads, monitors");
+}
+
 TEST(Skip, LeavesOutMostOfAScatteredScene) {
   Scene s;
   s.planes.push_back(*Plane<double>::make({0, 0, 0}, {0, 1, 0}));
@@ -58,10 +86,13 @@ TEST(Skip, LeavesOutMostOfAScatteredScene) {
   }
   s.until = 0.5;
   RunSummary summary;
-  end_of(s, true, summary);
+  end_of(s, {}, summary);
   EXPECT_EQ(summary.ledger.skips.pairs, summary.ledger.skips.pairs_of);
   EXPECT_EQ(summary.ledger.skips.planes, summary.ledger.skips.planes_of);
   EXPECT_EQ(summary.ledger.skips.pairs_of, 4950L * summary.steps);
+  EXPECT_EQ(summary.ledger.skips.loads_of, 100L * summary.steps);
+  EXPECT_EQ(summary.ledger.skips.loads, 100L * (summary.steps - 1)) << "summed once, gravity being all there is";
+  EXPECT_EQ(summary.ledger.skips.monitors, 0) << "accounts are kept unless nobody wants them";
 }
 
 }  // namespace

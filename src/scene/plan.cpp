@@ -1,0 +1,40 @@
+#include <rigor/scene/plan.hpp>
+
+namespace rigor {
+namespace {
+
+// The one list of ids; what counts them is beside it.
+struct Entry {
+  const char *id, *what, *effect;
+  bool Skips::*flag;
+  long Ledger::Skips::*left_out, Ledger::Skips::*of;
+};
+constexpr Entry entries[] = {
+    {"pairs", "pairs: not near each other in that step", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
+    {"planes", "cuboids at planes: no corner reaches it", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
+    {"loads", "sums of forces: as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
+    {"monitors", "accounts after a step, which nobody may read", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
+};
+
+}  // namespace
+
+Outcome<Skips> without(Skips skips, const std::vector<std::string>& ids) {
+  for (const std::string& id : ids) {
+    bool known = id == "all";
+    std::string names = "all";
+    for (const Entry& e : entries) {
+      names += std::string(", ") + e.id;
+      if (id == "all" || id == e.id) skips.*e.flag = false, known = true;
+    }
+    if (!known) return Fault{Fault::Kind::out_of_range, "no-skip", "is \"" + id + "\", must be one of " + names};
+  }
+  return skips;
+}
+
+std::vector<PlanLine> plan(const Skips& skips, const Ledger::Skips& counted) {
+  std::vector<PlanLine> lines;
+  for (const Entry& e : entries) lines.push_back({e.id, e.what, e.effect, skips.*e.flag, counted.*e.left_out, counted.*e.of});
+  return lines;
+}
+
+}  // namespace rigor
