@@ -8,6 +8,7 @@
 #include <new>
 #include <random>
 #include <rigor/engine/batch.hpp>
+#include <rigor/engine/flight_batch.hpp>
 #include <rigor/integrators/euler.hpp>
 #include <rigor/linalg/rotation.hpp>
 
@@ -196,6 +197,17 @@ TEST(Batch, AllocatesNothingWhileItStepsOnOneThread) {
   const long before = allocations;
   ASSERT_GT(before, 0);
   batch.step(0.01, 100);
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(FlightBatch, AllocatesNothingOnOneThread) {
+  std::vector<ExactFlight> flights;
+  for (int k = 0; k < 50; ++k) flights.push_back(*ExactFlight::make({1, 2, 2.5}, {0.3 + 0.01 * k, 2, k % 10 == 0 ? 0.0 : -0.2}, identity3<double>()));
+  flights.push_back(*ExactFlight::make({1, 2, 2.5}, {0, 1, 0}, identity3<double>()));  // about an axis: evaluated alone
+  FlightBatch batch(flights);
+  batch.evaluate(0.5);
+  const long before = allocations;
+  batch.evaluate(1.5);
   EXPECT_EQ(allocations, before);
 }
 
