@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/in_range.hpp>
+#include <rigor/cli/progress.hpp>
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/verify.hpp>
 #include <rigor/verify/verify.hpp>
@@ -92,9 +94,13 @@ int verify_command(const Options& options) {
   }
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  Progress progress(options.seconds > 0, " s");
   verify::Result result = verify::run(options.id, options.cases, options.seed);
-  for (std::uint64_t round = 1; elapsed() < options.seconds && interrupted() == 0; ++round)
+  for (std::uint64_t round = 1; elapsed() < options.seconds && interrupted() == 0; ++round) {
+    progress(long(elapsed()), long(std::ceil(options.seconds)));
     merge(result, verify::run(options.id, options.cases, options.seed + round));
+  }
+  progress.clear();
   if (options.json) std::printf("%s\n", as_json(result, options).dump(2).c_str());
   else print(result);
   if (interrupted() != 0) {
