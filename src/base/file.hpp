@@ -1,6 +1,7 @@
 #pragma once
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -41,7 +42,8 @@ inline Outcome<bool> write_file(const std::filesystem::path& path, const std::st
   std::error_code ec;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ec);
   if (ec) return fault(ec.message());
-  const std::filesystem::path temporary = path.string() + ".part-" + std::to_string(::getpid());
+  static std::atomic<unsigned> written_so_far{0};  // several threads may write one file at a time
+  const std::filesystem::path temporary = path.string() + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(written_so_far++);
   std::FILE* file = std::fopen(temporary.c_str(), "wb");
   if (file == nullptr) return fault(std::strerror(errno));
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/outcome.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/base/suggest.hpp>
+#include <string>
+#include <thread>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -39,6 +43,23 @@ TEST(WriteFile, LeavesTheOldFileWholeWhenItCannotWrite) {
   EXPECT_EQ(read_file(dir / "none").fault().kind, Fault::Kind::unreadable);
   EXPECT_EQ(read_file("/dev/zero").fault().what, "is not a regular file");
   EXPECT_FALSE(read_file(dir / "a" / "b.txt", 2));
+  std::filesystem::remove_all(dir);
+}
+
+TEST(WriteFile, IsWholeWhenThreadsWriteItAtOnce) {
+  const std::filesystem::path dir = std::filesystem::temp_directory_path() / ("rigor-file-at-once-" + std::to_string(::getpid()));
+  std::atomic<int> refused{0};
+  {
+    std::vector<std::jthread> threads;
+    for (const char c : {'a', 'b', 'c', 'd'})
+      threads.emplace_back([&, c] {
+        for (int k = 0; k < 200; ++k) refused += !write_file(dir / "one.txt", std::string(5000, c));
+      });
+  }
+  EXPECT_EQ(refused, 0);
+  const std::string text = *read_file(dir / "one.txt");
+  EXPECT_EQ(text, std::string(5000, text[0]));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir), {}), 1) << "no temporary is left";
   std::filesystem::remove_all(dir);
 }
 
