@@ -20,6 +20,7 @@ Attitude<T> taylor_free_body(const FreeBody& body, const T& t, int order = 40, d
 }
 
 extern template Attitude<Precise> taylor_free_body<Precise>(const Vec3<Precise>&, const Vec3<Precise>&, const Mat3<Precise>&, const Precise&, int, double);
+extern template Attitude<long double> taylor_free_body<long double>(const Vec3<long double>&, const Vec3<long double>&, const Mat3<long double>&, const long double&, int, double);
 extern template Attitude<double> taylor_free_body<double>(const Vec3<double>&, const Vec3<double>&, const Mat3<double>&, const double&, int, double);
 
 }  // namespace rigor::reference

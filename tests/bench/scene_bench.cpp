@@ -1,7 +1,9 @@
-// One step of the assignment's program at N cuboids: spread out over a floor (no pairs meet), as the sheet's stepper does it.
+// N cuboids spread out over a floor, no pairs meet: a step of the assignment's program as the sheet's stepper does it, and a
+// second in located mode, of which each has a few impacts.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <rigor/engine/located.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scene/simulate.hpp>
 
@@ -32,6 +34,13 @@ void sheet_step(benchmark::State& state) {
   state.counters["ns_per_step"] = benchmark::Counter(double(steps) * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["ns_per_body_step"] = benchmark::Counter(double(steps) * n * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
+void located_second(benchmark::State& state) {
+  Scene s = spread(int(state.range(0)));
+  s.until = s.every = 1;
+  for (auto _ : state) benchmark::DoNotOptimize(simulate_located(s, [](double, const std::vector<State<double>>&) {})->ledger.impacts);
+  state.counters["us_per_body"] = benchmark::Counter(double(state.range(0)) * double(state.iterations()) * 1e-6, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(located_second)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);  // quadratic: 10000 would take minutes
 BENCHMARK(sheet_step)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,44 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <rigor/collision/box_box.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/engine/pair_search.hpp>
 #include <rigor/formulas/world_inertia.hpp>
-#include <rigor/linalg/rotation.hpp>
+
+#include "pair_courses.hpp"
 
 namespace rigor {
 namespace {
-
-using V = Vec3<double>;
-
-struct Draw {
-  std::mt19937_64 random{20260414};
-  double in(double low, double high) { return low + (high - low) * (double(random() >> 11) * 0x1p-53); }
-  V vector(double size) { return V(in(-size, size), in(-size, size), in(-size, size)); }
-  Mat3<double> rotation() {
-    std::normal_distribution<double> N;
-    return rotation_of<double>(Vec4<double>(N(random), N(random), N(random), N(random)));
-  }
-};
-struct Course {
-  Cuboid<double> A, B;
-  State<double> a, b;
-};
-Course course(Draw& draw) {
-  const auto shape = [&] { return *Cuboid<double>::make(draw.in(0.5, 5), V(draw.in(0.1, 1), draw.in(0.1, 1), draw.in(0.1, 1))); };
-  Course c{shape(), shape(), {}, {}};
-  c.a.R_WB = draw.rotation(), c.b.R_WB = draw.rotation();
-  c.a.w_WB = draw.vector(6), c.b.w_WB = draw.vector(6);
-  c.a.p_WB = draw.vector(1);
-  V towards = draw.vector(1);
-  towards /= norm<double>(towards);
-  c.b.p_WB = c.a.p_WB + 3 * towards;
-  c.a.v_WB = draw.vector(0.5);
-  c.b.v_WB = c.a.v_WB - draw.in(0.5, 8) * towards + draw.vector(0.6);
-  return c;
-}
 
 // case BB-14. Dense sampling with another test of separation: the 15 axes of box_box, at fixed poses. No overlap before the time
 // found, none at all where none was found, and a gap of rounding at the time itself.
@@ -83,11 +54,12 @@ TEST(PairSearch, GivesTheSameMeetingHoweverTheFlightsAreDated) {
   }
 }
 
-// Two cuboids in free space: momenta kept, energy by the law, v_n' = -e v_n is in the energy account.
+// Two cuboids in free space: momenta kept, energy by the law, v_n' = -e v_n is in the energy account. A few courses end in
+// a persistent contact, which the stepper takes over: those are judged up to that moment.
 TEST(LocatedPairs, KeepMomentaAndLoseTheEnergyOfRestitution) {
   Draw draw;
-  int impacts = 0;
-  for (int c = 0; c < 200; ++c) {
+  int impacts = 0, handed_over = 0;
+  for (int c = 0; c < 1000; ++c) {
     const Course x = course(draw);
     Scene s;
     s.gravity = zero3<double>();
@@ -95,9 +67,15 @@ TEST(LocatedPairs, KeepMomentaAndLoseTheEnergyOfRestitution) {
     s.bodies = {{x.A, x.a}, {x.B, x.b}};
     s.until = 3;
     std::vector<State<double>> end;
-    const auto done = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+    const auto run = [&] { return simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; }); };
+    auto done = run();
     ASSERT_TRUE(done);
-    EXPECT_TRUE(done->handed_over.empty()) << c << " " << done->handed_over[0].why;
+    if (!done->handed_over.empty()) {
+      ++handed_over;
+      s.until = std::nextafter(done->handed_over[0].from, 0);
+      done = run();
+      ASSERT_TRUE(done && done->handed_over.empty()) << c;
+    }
     impacts += int(done->ledger.pair_impacts);
     V P = zero3<double>(), L = zero3<double>();
     double size = 0;
@@ -121,7 +99,8 @@ TEST(LocatedPairs, KeepMomentaAndLoseTheEnergyOfRestitution) {
       EXPECT_GE(done->ledger.energy.restitution_loss, 0);
     }
   }
-  EXPECT_GT(impacts, 50);
+  EXPECT_GT(impacts, 250);
+  EXPECT_LE(handed_over, 10) << "five were seen";
 }
 
 Scene room(Draw& draw, double e) {
