@@ -22,7 +22,11 @@ Names method_names() {
 }
 std::optional<Fault> unknown(const Names& asked, const Names& known, const std::string& option, const std::string& what) {
   for (const std::string& name : asked)
-    if (std::find(known.begin(), known.end(), name) == known.end()) return Fault{Kind::unknown_key, option, "there is no " + what + " '" + name + "'" + did_you_mean(name, known)};
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string list;
+      for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
+      return Fault{Kind::unknown_key, option, "there is no " + what + " '" + name + "'" + did_you_mean(name, known) + "; known: " + list};
+    }
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <rigor/report/html.hpp>
 #include <rigor/studies/report.hpp>
+#include <sstream>
 #include <thread>
 
 namespace rigor::studies {
@@ -32,6 +33,55 @@ std::string padded(const std::string& text, std::size_t to, bool right) {
   const std::string spaces(to > width(text) ? to - width(text) : 0, ' ');
   return right ? spaces + text : text + spaces;
 }
+constexpr std::size_t terminal = 80;
+
+// Broken at blanks, behind a margin.
+std::string wrapped(const std::string& text, std::size_t margin) {
+  std::string out, line(margin, ' ');
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (width(line) > margin && width(line) + 1 + width(word) > terminal) {
+      out += line + "\n";
+      line.assign(margin, ' ');
+    }
+    line += (width(line) > margin ? " " : "") + word;
+  }
+  return out + line + "\n";
+}
+
+// The table in columns, one blank apart where two are too many; those that do not fit a line go on below, beside the
+// words once more.
+std::string columns_text(const Table& t) {
+  const std::size_t margin = 4;
+  std::vector<std::size_t> widths;
+  std::size_t all = margin;
+  for (std::size_t i = 0; i < t.header.size(); ++i) {
+    std::size_t w = width(t.header[i]);
+    for (const auto& row : t.rows) w = std::max(w, i < row.size() ? width(row[i]) : 0);
+    widths.push_back(w);
+    all += w + 1;
+  }
+  const std::size_t gap = all <= terminal + 1 && all + widths.size() > terminal + 2 ? 1 : 2, words = std::min(t.words, widths.size());
+  std::string out;
+  for (std::size_t first = words, last; first < widths.size() || first == words; first = last) {
+    std::size_t used = margin;
+    for (std::size_t i = 0; i < words; ++i) used += widths[i] + gap;
+    for (last = first; last < widths.size() && (last == first || used + widths[last] <= terminal); ++last) used += widths[last] + gap;
+    const auto line = [&](const std::vector<std::string>& cells) {
+      std::string text(margin, ' ');
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        if (i < words || (i >= first && i < last)) text += padded(cells[i], widths[i], i >= t.words) + std::string(gap, ' ');
+      while (!text.empty() && text.back() == ' ') text.pop_back();
+      out += text + "\n";
+    };
+    if (first > words) out += "\n";
+    line(t.header);
+    for (const auto& row : t.rows) line(row);
+    if (first == last) break;  // words alone
+  }
+  return out;
+}
+
 std::string cell_markdown(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -115,26 +165,9 @@ std::vector<std::string> page_figures(const StudyPage& page) {
 std::string page_text(const StudyPage& page) {
   std::string out;
   for (const Section& s : page.sections) {
-    out += s.heading + "\n";
-    for (const Table& t : s.tables) {
-      if (t.every_run) continue;
-      out += "  " + t.caption + "\n";
-      std::vector<std::size_t> widths;
-      for (std::size_t i = 0; i < t.header.size(); ++i) {
-        std::size_t w = width(t.header[i]);
-        for (const auto& row : t.rows) w = std::max(w, i < row.size() ? width(row[i]) : 0);
-        widths.push_back(w);
-      }
-      const auto line = [&](const std::vector<std::string>& cells) {
-        std::string text = "   ";
-        for (std::size_t i = 0; i < cells.size(); ++i) text += " " + padded(cells[i], widths[i], i >= t.words) + " ";
-        while (!text.empty() && text.back() == ' ') text.pop_back();
-        out += text + "\n";
-      };
-      line(t.header);
-      for (const auto& row : t.rows) line(row);
-      out += "\n";
-    }
+    out += wrapped(s.heading, 0);
+    for (const Table& t : s.tables)
+      if (!t.every_run) out += wrapped(t.caption, 2) + columns_text(t) + "\n";
   }
   return out;
 }

@@ -35,7 +35,7 @@ std::string page_html(const StudyPage& page);
 /// Markdown that shows figure-1.svg, figure-2.svg, ... beside it.
 std::string page_markdown(const StudyPage& page);
 std::vector<std::string> page_figures(const StudyPage& page);
-/// Headings and tables for a terminal.
+/// Headings and tables for a terminal of 80 columns.
 std::string page_text(const StudyPage& page);
 
 }  // namespace rigor::studies

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <rigor/base/file.hpp>
@@ -14,6 +15,7 @@
 #include <rigor/studies/plan.hpp>
 #include <rigor/studies/run_cells.hpp>
 #include <set>
+#include <sstream>
 
 namespace rigor::studies {
 namespace {
@@ -255,7 +257,13 @@ TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
         EXPECT_NE(text.find("Taylor series of order 40"), std::string::npos);
       }
     }
-    EXPECT_FALSE(page_text(page).empty());
+    const std::string text = page_text(page);
+    EXPECT_GT(text.size(), 100u);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }), 80) << line;
+      EXPECT_FALSE(line.ends_with(' ')) << line;
+    }
   }
 }
 
