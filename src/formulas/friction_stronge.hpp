@@ -15,7 +15,7 @@ struct ImpactAxes {
   std::array<double, 2> k_tn;
   std::array<std::array<double, 2>, 2> k_tt;
   double mu_d;
-  double v_n0;  ///< approach speed, > 0: the scale of velocities
+  double v_n0;  ///< normal velocity at the start: the scale of velocities, whatever its sign
 
   /// Tangential acceleration per unit of p while slipping along (c, s): k_tn − μ K_tt (c, s).
   std::array<double, 2> pull(double c, double s) const {
@@ -55,7 +55,7 @@ inline SlipState slip_step(const ImpactAxes& a, const SlipState& x, double h, do
   const SlipState d = zero.plus(h * 71 / 57600, k1).plus(-h * 71 / 16695, k3).plus(h * 71 / 1920, k4).plus(-h * 17253 / 339200, k5).plus(h * 22 / 525, k6).plus(-h / 40, k7);
   const double p_unit = a.v_n0 / a.k_nn;
   error = std::fmax(std::fmax(std::fabs(d.psi), std::fabs(d.log_r)),
-                    std::fmax(std::fabs(d.p) / p_unit, std::fabs(d.work) / (p_unit * a.v_n0)));
+                    std::fmax(std::fabs(d.p / p_unit), std::fabs(d.work / (p_unit * a.v_n0))));
   return y;
 }
 
@@ -162,7 +162,7 @@ inline FrictionImpact<double> stronge_impulse(const Mat3<double>& K, const Vec3<
   t1 /= norm<double>(t1);
   const Vec3<double> t2 = cross<double>(n, t1), Kn = apply<double>(K, n), K1 = apply<double>(K, t1), K2 = apply<double>(K, t2);
   const detail::ImpactAxes axes{dot<double>(n, Kn), {dot<double>(t1, Kn), dot<double>(t2, Kn)},
-                                {{{dot<double>(t1, K1), dot<double>(t1, K2)}, {dot<double>(t2, K1), dot<double>(t2, K2)}}}, mu_d, -v_n};
+                                {{{dot<double>(t1, K1), dot<double>(t1, K2)}, {dot<double>(t2, K1), dot<double>(t2, K2)}}}, mu_d, v_n};
 
   detail::Progress now{e, {slips ? std::log(slip) : 0, 0, 0, 0, 0, v_n, 0}};
   SlipState& x = now.x;
