@@ -1,6 +1,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <reference/taylor.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/bodies/cuboid.hpp>
@@ -102,6 +103,20 @@ std::string free_flight_table() {
     out += "\n";
   }
   return out;
+}
+
+std::string table_json(const std::string& csv) {
+  nlohmann::ordered_json json{{"schema", "rigor.free-flight-table/1"}, {"command", "rigor check-table --write DIR"}, {"provenance", nlohmann::ordered_json::array()}, {"cases", nlohmann::ordered_json::array()}};
+  std::istringstream in(csv);
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("# ", 0) == 0) json["provenance"].push_back(line.substr(2));
+  const Parsed parsed = parse(csv);
+  for (const auto& [line, c] : parsed.lines) {
+    nlohmann::ordered_json row;
+    for (std::size_t i = 0; i < c.size(); ++i) row[parsed.header[i]] = c[i];
+    json["cases"].push_back(row);
+  }
+  return json.dump(1) + "\n";
 }
 
 Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::string& theirs, const std::string& name) {

@@ -8,6 +8,9 @@ namespace rigor::studies {
 /// The frozen table of free flights (reference/tables/free-flight.csv), made anew: inputs exact in binary, results by the
 /// Taylor series in 60 digits, written with 30. Takes about a minute.
 std::string free_flight_table();
+/// The same rows as JSON: "provenance" (the comment lines), "command" and "cases", every number as the text of the CSV,
+/// since a JSON reader would cut 30 digits to a double.
+std::string table_json(const std::string& csv);
 
 /// Somebody's answers against the table, one line a stratum.
 struct TableRow {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/studies/pages.hpp>
+#include <rigor/studies/problem.hpp>
 #include <set>
 
 namespace rigor::studies {
@@ -43,6 +44,23 @@ Table choices(const std::vector<const Row*>& rows, bool peers) {
       line.push_back(peer == nullptr || best == nullptr ? "-" : brief(peer->at("cpu_median") / best->at("cpu_median"), "%.0f"));
     }
     t.rows.push_back(line);
+  }
+  return t;
+}
+
+// What each method pays for an error it reaches, against the best of all.
+Table costs(const std::vector<const Row*>& rows, double until) {
+  Table t{"each method's cheapest run to an error: what it reached, time a second of motion, cost over the best of that error",
+          {"method", "run", "to", "error, rad", "us a second", "over best"}, {}, 2};
+  for (const Group& method : by_method(rows)) {
+    const std::size_t before = t.rows.size();
+    for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      const Row* row = cheapest(method.rows, error);
+      if (row == nullptr) continue;
+      const double time = row->at("cpu_median");
+      t.rows.push_back({method.name, setting(*row), brief(error, "%.0e"), brief(row->at("attitude")), brief(1e6 * time / until, "%.3g"), brief(time / cheapest(rows, error)->at("cpu_median"), "%.3g")});
+    }
+    if (t.rows.size() == before) t.rows.push_back({method.name, "none reaches 1e-03", "", "", "", ""});
   }
   return t;
 }
@@ -98,7 +116,7 @@ StudyPage work_page(const std::vector<Row>& rows) {
     for (const report::Series& series : plot.series)
       if (series.name == "sheet" || series.name == "rk4" || series.dashed) efficiency.series.push_back(series);
     s.plots = {plot, efficiency};
-    s.tables = {choices(problem.rows, peers), reach, all};
+    s.tables = {choices(problem.rows, peers), reach, costs(problem.rows, (*open_problem(problem.name, problem.rows[0]->cell.until))->until), all};
     page.sections.push_back(s);
   }
   Section how{"How it was measured",

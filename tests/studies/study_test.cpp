@@ -236,9 +236,10 @@ TEST(StabilityMaps, HaveAllThreeVerdicts) {
 }
 
 TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
-  for (const char* kind : {"convergence", "drift", "stability", "contact"}) {
+  for (const char* kind : {"convergence", "work-precision", "drift", "stability", "contact"}) {
     StudyRequest r;
     r.kind = kind;
+    if (r.kind == "work-precision") r.problems = {"short-A"}, r.coarsest = 10, r.rungs = 3;
     r.methods = {"sheet", "split2"};
     r.steps = 100;
     r.rungs = 3;

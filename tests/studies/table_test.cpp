@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <reference/sundials.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/engine/exact_flight.hpp>
@@ -99,6 +100,36 @@ TEST(FreeFlightTable, FindsAWrongAnswerAndNamesWhatItCannotRead) {
   EXPECT_NE(fault(right, "generic-1,", "generic-1,3,").find("length"), std::string::npos);
   EXPECT_EQ(check_table(table(), "", "e").fault().kind, Fault::Kind::malformed);
   EXPECT_EQ(check_table(table(), "case,qw,qx,qy,qz,wx,wy,wz\n", "e").fault().kind, Fault::Kind::missing);
+}
+
+// The JSON that is committed against the CSV that is, each read here by its own reader: value by value as text.
+TEST(FreeFlightTable, IsTheSameAsJson) {
+  const std::string text = *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables/free-flight.json");
+  EXPECT_TRUE(text == table_json(table())) << "not what rigor check-table --write makes of the CSV";
+  const auto json = nlohmann::json::parse(text);
+  std::istringstream in(table());
+  std::vector<std::string> header, comments;
+  std::size_t rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.front() == '#') {
+      comments.push_back(line.substr(2));
+      continue;
+    }
+    std::vector<std::string> c;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) c.push_back(cell);
+    if (header.empty()) {
+      header = c;
+      continue;
+    }
+    const auto& row = json.at("cases").at(rows++);
+    ASSERT_EQ(row.size(), header.size()) << line;
+    for (std::size_t i = 0; i < header.size(); ++i) EXPECT_EQ(row.at(header[i]).get<std::string>(), c.at(i)) << c[0] << ", " << header[i];
+  }
+  EXPECT_EQ(json.at("cases").size(), rows);
+  EXPECT_EQ(rows, cases().size());
+  EXPECT_EQ(json.at("provenance").get<std::vector<std::string>>(), comments);
+  EXPECT_EQ(json.at("command"), "rigor check-table --write DIR");
 }
 
 // Made anew, the table is the one that is frozen, to the letter (minutes: only where everything is run).
