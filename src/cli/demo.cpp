@@ -120,13 +120,13 @@ Outcome<std::string> study(const fs::path& out) {
   if (const auto written = write_file(out / "study" / "study.html", studies::page_html(studies::study_page("convergence", rows, "rigor demo"))); !written) return written.fault();
   if (const auto written = write_file(out / "study" / "study.csv", studies::rows_csv(rows)); !written) return written.fault();
   report::Plot plot{"Attitude error against step, free flight", "step h, s", "attitude error at T = 1 s, rad", true, true, {}};
-  std::printf("   %-10s %-20s %-14s %-16s %s\n", "problem", "method", "fitted order", "error, coarsest", "error, finest (rad)");
+  std::printf("   %-8s %-18s %-13s %-16s %s\n", "problem", "method", "fitted order", "error, coarsest", "error, finest, rad");
   for (const studies::Group& problem : studies::by_problem(rows))
     for (const studies::Group& method : studies::by_method(problem.rows)) {
       report::Series series{method.name, {}, {}};
       const double until = studies::find_problem(problem.name)->until;
       for (const studies::Row* row : method.rows) series.x.push_back(until / double(row->cell.steps)), series.y.push_back(row->at("attitude"));
-      std::printf("   %-10s %-20s %-14.2f %-16.2e %.2e\n", problem.name.c_str(), method.name.c_str(), studies::fit_order(series.x, series.y).order, series.y.front(), series.y.back());
+      std::printf("   %-8s %-18s %-13.2f %-16.2e %.2e\n", problem.name.c_str(), method.name.c_str(), studies::fit_order(series.x, series.y).order, series.y.front(), series.y.back());
       if (problem.name == "short-A") plot.series.push_back(series);
     }
   return "<h2>Convergence</h2><p>Free flight against a Taylor series in 60 digits, forced motion against SUNDIALS' CVODE. <a href=\"study/study.html\">The whole study</a></p>" +

@@ -250,6 +250,7 @@ std::string figure(const Bars& bars, const std::string& caption_html) {
     out += escape(bars.labels[i]) + ": " + number("%g", bars.values[i]) + "; ";
   out += "</desc>";
   for (const double v : ticks(0, from_zero.high, false)) {
+    if (v != std::floor(v)) continue;  // bars count
     const std::string at = number("%.1f", from_zero.at(v));
     out += "<line class=\"grid\" y1=\"" + at + "\" y2=\"" + at + "\" x1=\"" + number("%g", left) +
            "\" x2=\"" + number("%g", width - right) + "\"/><text y=\"" + number("%.1f", from_zero.at(v) + 4) +
