@@ -93,6 +93,8 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
     if (r.methods.empty() && !problem.falls)  // on free flight they have no error to study
       for (const Method& m : flow_methods())
         if (std::find(used.begin(), used.end(), m.name) == used.end()) used.emplace_back(m.name);
+    if (r.methods.empty() && !problem.falls)  // these know free flight alone: every run of theirs would fail
+      for (const char* free : {"exact-plain", "cvode-adams", "arkode-fehlberg8"}) used.erase(std::remove(used.begin(), used.end(), free), used.end());
     for (const std::string& method : used) {
       const OtherWay* way = find_other_way(method);
       const Method* stepper = find_stepper(method);

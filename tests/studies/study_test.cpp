@@ -100,6 +100,17 @@ TEST_F(Cells, SayWhenTheyCannotBeWritten) {
   EXPECT_EQ(rows.fault().kind, Fault::Kind::unwritable);
 }
 
+// Under a torque the standard set has none of the ways that know free flight alone; on free flight it has them.
+TEST(Plan, LeavesOutWhatKnowsNoTorque) {
+  for (const char* problem : {"forced", "short-A"}) {
+    StudyRequest r{"work-precision", {problem}, {}};
+    std::set<std::string> used;
+    for (const Cell& cell : *plan(r)) used.insert(cell.method);
+    for (const char* free : {"exact-plain", "cvode-adams", "arkode-fehlberg8"}) EXPECT_EQ(used.count(free), r.problems[0] == "short-A" ? 1u : 0u) << free;
+    EXPECT_EQ(used.count("dormand-prince-adaptive"), 1u);
+  }
+}
+
 TEST(Plan, RefusesWhatCannotBeStudied) {
   const auto says = [](auto change) {
     StudyRequest r = small();
