@@ -32,7 +32,7 @@ test('class and counterexample', async () => {
 });
 
 test('study', async () => {
-  rigor('study', 'work-precision', '--problem', 'case-A', '--out', join(work, 'study'), '--quiet');
+  rigor('study', 'work-precision', '--problem', 'case-A', '--method', 'sheet,euler-momentum,rk4,implicit-midpoint,split2,split2-kahan-li8,moser-veselov8,taylor16,exact', '--out', join(work, 'study'), '--quiet');
   const page = await open(join(work, 'study/study.html'), 1000, 760);
   await page.locator('figure').first().evaluate(figure => figure.scrollIntoView());
   await keep(page, 'study');
@@ -41,9 +41,9 @@ test('study', async () => {
 test('replay', async () => {
   rigor('run', 'assignment', '--seed', '3', '--out', join(work, 'run'));
   const page = await open(join(work, 'run/replay.html'), 1100, 680);
-  await page.keyboard.press(' ');
-  await seconds(4);
-  await page.keyboard.press(' ');
+  await page.locator('#play').click();
+  await seconds(0.9);
+  await page.locator('#play').click();
   await keep(page, 'replay');
 });
 
@@ -53,7 +53,8 @@ test('live', async () => {
   const page = await open(line.match(/^http:\/\/127\.0\.0\.1:\d+\//)[0], 1100, 680);
   await page.locator('#canvas').waitFor();
   await page.keyboard.press(' ');
-  await seconds(4);
+  await seconds(1);
+  await page.keyboard.press(' ');
   await keep(page, 'live');
   server.kill('SIGINT');
 });

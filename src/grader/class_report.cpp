@@ -156,7 +156,7 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
   page.title = rubric.title + ": a class of " + std::to_string(rows.size());
   double sum = 0;
   for (const double s : scores) sum += s;
-  if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(sum / double(scores.size())) + ", median " + brief(scores[scores.size() / 2]) + " points.";
+  if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(std::round(10 * sum / double(scores.size())) / 10) + ", median " + brief((scores[(scores.size() - 1) / 2] + scores[scores.size() / 2]) / 2) + " points.";
   page.body = histogram(rows);
   if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble, {}, "Students who could not be graded");
   if (!changed.empty()) {

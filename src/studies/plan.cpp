@@ -196,7 +196,7 @@ const std::vector<std::string>& study_kinds() {
 }
 
 Outcome<std::vector<Cell>> plan(const StudyRequest& r) {
-  if (const auto fault = unknown({r.kind}, study_kinds(), "", "study")) return Fault{fault->kind, "", fault->what + "; there are convergence, work-precision, drift, stability, contact"};
+  if (const auto fault = unknown({r.kind}, study_kinds(), "", "study")) return *fault;
   const bool flight = r.kind == "convergence" || r.kind == "work-precision";
   const auto refuse = [&](const char* option) { return Fault{Kind::unsupported, option, "is for convergence and work-precision, not for " + r.kind}; };
   if (!flight && r.until) return refuse("--until");
