@@ -27,6 +27,20 @@ State<double> semi_implicit(const Cuboid<double>& body, const State<double>& s, 
   next.p_WB = advanced(s.p_WB, h, next.v_WB);
   return next;
 }
+// Spin of a body with angular momentum L, by way of the body axes.
+Vec3<double> spin_of(const Cuboid<double>& body, const Mat3<double>& R_WB, const Vec3<double>& L_W) {
+  return apply<double>(R_WB, Vec3<double>(apply_transposed<double>(R_WB, L_W).cwiseProduct(body.inverse_inertia())));
+}
+// Gram and Schmidt of R + h [w]x R with reciprocals, the third column as the product of the others.
+void turn_by_cross(const Vec3<double>& w_W, double h, Mat3<double>& R_WB) {
+  const auto unit = [](const Vec3<double>& a) { return Vec3<double>(1 / norm<double>(a) * a); };
+  const Vec3<double> c0 = R_WB.col(0), c1 = R_WB.col(1), a1 = advanced(c1, h, cross<double>(w_W, c1));
+  const Vec3<double> u0 = unit(advanced(c0, h, cross<double>(w_W, c0)));
+  const Vec3<double> u1 = unit(advanced(a1, -dot<double>(u0, a1), u0));
+  R_WB.col(0) = u0;
+  R_WB.col(1) = u1;
+  R_WB.col(2) = cross<double>(u0, u1);
+}
 
 }  // namespace
 
@@ -75,14 +89,9 @@ Motion fly_euler_momentum(const Cuboid<double>& body, const Motion& now, double 
   Motion x = now;
   Mat3<double>& R = x.state.R_WB;
   for (long step = 0; step < steps; ++step) {
-    const Vec3<double> w = apply<double>(R, apply_transposed<double>(R, x.L_W).cwiseProduct(body.inverse_inertia()));
-    if (step == steps - 1) x.state.w_WB = w;
-    // Gram and Schmidt with reciprocals, the third column as the product of the others
-    const auto unit = [](const Vec3<double>& a) { return Vec3<double>(a * (1 / norm<double>(a))); };
-    const Vec3<double> a = R.col(0), b = R.col(1), c0 = unit(a + h * cross<double>(w, a)), c1 = b + h * cross<double>(w, b);
-    R.col(0) = c0;
-    R.col(1) = unit(c1 - dot<double>(c0, c1) * c0);
-    R.col(2) = cross<double>(c0, R.col(1));
+    const Vec3<double> w_W = spin_of(body, R, x.L_W);
+    if (step == steps - 1) x.state.w_WB = w_W;
+    turn_by_cross(w_W, h, R);
   }
   x.state.p_WB += double(steps) * h * x.state.v_WB;
   return x;
@@ -99,20 +108,12 @@ Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const 
 }
 
 Motion step_euler_momentum_cross(const Cuboid<double>& body, const Motion& now, const Load& load, double h) {
-  const auto unit = [](const Vec3<double>& a) { return Vec3<double>(1 / norm<double>(a) * a); };
-  const Mat3<double>& R = now.state.R_WB;
   Motion next = now;
   next.L_W = advanced(now.L_W, h, load.tau_W);
-  const Vec3<double> w_W = apply<double>(R, Vec3<double>(apply_transposed<double>(R, next.L_W).cwiseProduct(body.inverse_inertia())));
-  next.state.w_WB = w_W;
+  next.state.w_WB = spin_of(body, now.state.R_WB, next.L_W);
   next.state.v_WB = advanced(now.state.v_WB, h, linear_acceleration<double>(body.inverse_mass(), load.f_W));
   next.state.p_WB = advanced(now.state.p_WB, h, next.state.v_WB);
-  const Vec3<double> c0 = R.col(0), c1 = R.col(1), a1 = advanced(c1, h, cross<double>(w_W, c1));
-  const Vec3<double> u0 = unit(advanced(c0, h, cross<double>(w_W, c0)));
-  const Vec3<double> u1 = unit(advanced(a1, -dot<double>(u0, a1), u0));
-  next.state.R_WB.col(0) = u0;
-  next.state.R_WB.col(1) = u1;
-  next.state.R_WB.col(2) = cross<double>(u0, u1);
+  turn_by_cross(next.state.w_WB, h, next.state.R_WB);
   return next;
 }
 
