@@ -20,11 +20,9 @@ namespace rigor::grader {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t compiler_cpu_s = 10, compiler_memory = 3ull << 30, compiler_file = 256u << 20;
 constexpr double compiler_wall_s = 120;
-constexpr std::size_t kept_output = 256u << 10;
 
 Compilation run(std::vector<std::string> argv, const fs::path& directory, std::vector<fs::path> readable,
                 std::vector<fs::path> writable) {
@@ -43,27 +41,13 @@ Compilation run(std::vector<std::string> argv, const fs::path& directory, std::v
     c.stopped = started.fault().what;
     return c;
   }
-  Child child = *started;
-  const auto begun = Clock::now();
-  const auto left_ms = [&] {
-    return int(1000 * (compiler_wall_s - std::chrono::duration<double>(Clock::now() - begun).count()));
-  };
-  char buffer[16 << 10];
-  pollfd fd{out[0], POLLIN, 0};
-  for (bool open = true; open && left_ms() > 0 && interrupted() == 0;) {
-    if (poll(&fd, 1, std::min(left_ms(), 200)) <= 0) continue;
-    const ssize_t n = read(out[0], buffer, sizeof buffer);
-    if (n > 0) c.output.append(buffer, std::min(std::size_t(n), kept_output - std::min(kept_output, c.output.size())));
-    open = n > 0 || (n < 0 && errno == EINTR);
-  }
-  const bool late = left_ms() <= 0;
-  if (!late && interrupted() == 0) child.ended(1);
-  const int status = child.end();
+  const Course course = run_to_end(*started, out[0], compiler_wall_s);
   close(out[0]);
-  c.ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  c.output = course.output;
+  c.ok = WIFEXITED(course.status) && WEXITSTATUS(course.status) == 0;
   if (interrupted() != 0)
     c.stopped = "interrupted";
-  else if (late || c.output.find("CPU time limit") != c.output.npos || c.output.find("Killed") != c.output.npos)
+  else if (course.late || c.output.find("CPU time limit") != c.output.npos || c.output.find("Killed") != c.output.npos)
     c.stopped = "the compiler needed more than " + std::to_string(compiler_cpu_s) + " s";
   else if (c.output.find("File size limit") != c.output.npos)
     c.stopped = "the program is larger than " + std::to_string(compiler_file >> 20) + " MiB";

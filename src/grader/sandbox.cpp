@@ -9,12 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <rigor/base/interrupt.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/grader/sandbox.hpp>
 #include <rigor/grader/seccomp.hpp>
@@ -320,6 +322,25 @@ int Child::end() {
   if (!layers().namespaces) kill(-pid_, SIGKILL);
   while (!ended(2)) kill(pid_, SIGKILL);
   return status_;
+}
+
+Course run_to_end(Child child, int out, double seconds) {
+  constexpr std::size_t kept_output = 256u << 10;
+  const auto begun = std::chrono::steady_clock::now();
+  const auto left_ms = [&] { return int(1000 * (seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count())); };
+  Course course;
+  char buffer[16 << 10];
+  pollfd fd{out, POLLIN, 0};
+  for (bool open = true; open && left_ms() > 0 && interrupted() == 0;) {
+    if (poll(&fd, 1, std::min(left_ms(), 200)) <= 0) continue;
+    const ssize_t n = read(out, buffer, sizeof buffer);
+    if (n > 0) course.output.append(buffer, std::min(std::size_t(n), kept_output - course.output.size()));
+    open = n > 0 || (n < 0 && errno == EINTR);
+  }
+  course.late = left_ms() <= 0;
+  course.by_itself = !course.late && interrupted() == 0 && child.ended(1);
+  course.status = child.end();
+  return course;
 }
 
 std::vector<std::string> isolation(Profile profile) {

@@ -61,6 +61,17 @@ class Child {
   bool reaped_ = false;
 };
 
+/// How a confined process came to its end, and what it wrote until then.
+struct Course {
+  std::string output;     ///< the first 256 KiB
+  bool late = false;      ///< it was still writing when its time was used up
+  bool by_itself = false; ///< it ended; otherwise it was ended: late, interrupted, or silent and going on
+  int status = 0;
+};
+/// Reads what `child` writes to the other end of `out` until that is closed, `seconds` are used up or the program is
+/// interrupted; then the child is ended.
+Course run_to_end(Child child, int out, double seconds);
+
 /// Faults: unsupported (fork refused). A program that cannot be executed ends by itself with status 127. To be
 /// called and ended from one thread: the process dies with the thread that started it.
 Outcome<Child> start(const Confined& what);

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <regex>
-#include <rigor/base/interrupt.hpp>
 #include <rigor/base/promise.hpp>
 #include <rigor/grader/sandbox.hpp>
 #include <rigor/grader/sanitize.hpp>
@@ -52,20 +51,8 @@ Outcomes run(const std::filesystem::path& executable, const Rubric& rubric) {
   for (const int fd : {null, requests, out[1]}) close(fd);
   Outcomes result;
   if (started) {
-    result.started = true;
-    Child child = *started;
-    const auto begun = std::chrono::steady_clock::now();
-    const auto left_ms = [&] { return int(1000 * (most_wall_s - std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count())); };
-    char buffer[16 << 10];
-    pollfd fd{out[0], POLLIN, 0};
-    for (bool more = true; more && left_ms() > 0 && interrupted() == 0;) {
-      if (poll(&fd, 1, std::min(left_ms(), 200)) <= 0) continue;
-      const ssize_t n = read(out[0], buffer, sizeof buffer);
-      if (n > 0) result.output.append(buffer, std::min(std::size_t(n), (256u << 10) - std::min<std::size_t>(256u << 10, result.output.size())));
-      more = n > 0 || (n < 0 && errno == EINTR);
-    }
-    result.late = left_ms() <= 0 || interrupted() != 0 || !child.ended(1);
-    result.status = child.end();
+    const Course course = run_to_end(*started, out[0], most_wall_s);
+    result = {course.output, true, !course.by_itself, course.status};
   }
   close(out[0]);
   return result;
