@@ -48,7 +48,7 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   for (const HandOver& h : run.handed_over)
     std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s:\n    %s\n", h.body, h.from, h.to, h.why.c_str());
   for (const PlanLine& line : plan({}, l.skips))
-    if (line.skipped && line.left_out > 0) std::printf("  skipped            %.1f %% of %ld %s\n", 100 * double(line.left_out) / double(line.of), line.of, line.what.c_str());
+    if (line.skipped && line.left_out > 0) std::printf("  skipped            %.1f %% of %ld %s: %s\n", 100 * double(line.left_out) / double(line.of), line.of, line.what.c_str(), line.why.c_str());
   std::printf("  deepest overlap    %.3g m\n", l.deepest_penetration);
   std::printf("  orthonormality     off by %.2g at worst\n", l.worst_orthonormality);
 }
@@ -71,8 +71,8 @@ void explain(const Scene& scene, const Skips& skips, const RunSummary& run) {
     return;
   }
   for (const PlanLine& line : plan(skips, run.ledger.skips))
-    if (line.skipped) std::printf("  skips    %-9s %ld of %ld %s\n%21s%s\n", line.id.c_str(), line.left_out, line.of, line.what.c_str(), "", line.effect.c_str());
-    else std::printf("  does     %-9s all %ld %s\n", line.id.c_str(), line.of, line.what.substr(0, line.what.find_first_of(":,")).c_str());  // without the reason
+    if (line.skipped) std::printf("  skips    %-9s %ld of %ld %s: %s\n%21s%s\n", line.id.c_str(), line.left_out, line.of, line.what.c_str(), line.why.c_str(), "", line.effect.c_str());
+    else std::printf("  does     %-9s all %ld %s\n", line.id.c_str(), line.of, line.what.c_str());
 }
 
 std::string lead(const Scene& scene, const RunSummary& run) {

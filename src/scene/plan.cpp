@@ -5,15 +5,15 @@ namespace {
 
 // The one list of ids; what counts them is beside it.
 struct Entry {
-  const char *id, *what, *effect;
+  const char *id, *what, *why, *effect;
   bool Skips::*flag;
   long Ledger::Skips::*left_out, Ledger::Skips::*of;
 };
 constexpr Entry entries[] = {
-    {"pairs", "pairs: not near each other in that step", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
-    {"planes", "cuboids at planes: no corner reaches it", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
-    {"loads", "sums of forces: as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
-    {"monitors", "accounts after a step, which nobody may read", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
+    {"pairs", "pairs", "not near each other in that step", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
+    {"planes", "cuboids at planes", "no corner reaches it", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
+    {"loads", "sums of forces", "as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
+    {"monitors", "accounts after a step", "nobody reads them", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
 };
 
 }  // namespace
@@ -33,7 +33,7 @@ Outcome<Skips> without(Skips skips, const std::vector<std::string>& ids) {
 
 std::vector<PlanLine> plan(const Skips& skips, const Ledger::Skips& counted) {
   std::vector<PlanLine> lines;
-  for (const Entry& e : entries) lines.push_back({e.id, e.what, e.effect, skips.*e.flag, counted.*e.left_out, counted.*e.of});
+  for (const Entry& e : entries) lines.push_back({e.id, e.what, e.why, e.effect, skips.*e.flag, counted.*e.left_out, counted.*e.of});
   return lines;
 }
 

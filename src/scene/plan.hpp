@@ -19,7 +19,7 @@ Outcome<Skips> without(Skips skips, const std::vector<std::string>& ids);
 
 /// One thing left out, or not: how often, of how many.
 struct PlanLine {
-  std::string id, what, effect;
+  std::string id, what, why, effect;
   bool skipped;
   long left_out, of;
 };
