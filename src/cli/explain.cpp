@@ -6,7 +6,7 @@
 #include <regex>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/explain.hpp>
-#include <rigor/cli/wrap.hpp>
+#include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
 #include <sstream>
 
@@ -110,6 +110,8 @@ std::vector<std::string> tests_of(const Text& file, const std::string& id) {
 void append(std::vector<std::string>& to, std::vector<std::string> more) {
   to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
+
+using report::filled, report::folded;
 
 constexpr std::size_t width = 80, margin = 2;
 

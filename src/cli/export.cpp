@@ -155,7 +155,7 @@ std::string for_practice(const std::string& rubric, std::uint64_t practice_seed)
 
 Outcome<bool> write_kit(const fs::path& to, const std::string& rubric, const grader::Rubric& read) {
   Package package{{"README.md", kit_readme}, {"CMakeLists.txt", kit_cmake}, {"practice", practice, true}};
-  for (const grader::Text& text : grader::texts()) {
+  for (const Text& text : grader::texts()) {
     const std::string path(text.path);
     if (path.starts_with("src/kit/handout/")) package.push_back({"src/" + path.substr(16), std::string(text.content)});
     if (path.starts_with("src/kit/include/")) package.push_back({"include/" + path.substr(16), std::string(text.content)});

@@ -1,17 +1,9 @@
 #pragma once
-#include <string_view>
-#include <vector>
+#include <rigor/base/text.hpp>
 
 namespace rigor::cli {
 
-/// A file of the source tree carried inside the program: formulas, derivations, theorems, exact tests,
-/// errata.
-struct Text {
-  std::string_view path;  ///< from the root of the repository, "proofs/impulse.md"
-  std::string_view content;
-};
-
-/// Generated at build time by embed.cmake.
+/// Formulas, derivations, theorems, exact tests, errata, tables, sample submissions.
 const std::vector<Text>& texts();
 
 }  // namespace rigor::cli

@@ -11,7 +11,7 @@
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/verify.hpp>
-#include <rigor/cli/wrap.hpp>
+#include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
 
 namespace rigor::cli {
@@ -67,14 +67,14 @@ const char* mark(const Row& row, const char* broken) {
 void print(const std::vector<verify::Agreement>& rows) {
   for (const auto& r : rows)
     std::printf("  %-30s %8.1e <= %-8.1e %6ld cases%s\n%s", r.id.c_str(), r.worst, r.bound, r.cases,
-                mark(r, "   ABOVE"), filled(r.oracle, 80, 6).c_str());
+                mark(r, "   ABOVE"), report::filled(r.oracle, 80, 6).c_str());
 }
 
 void print(const verify::Result& result) {
   if (!result.identities.empty()) std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
   for (const auto& r : result.identities)
     std::printf("  %-30s %ld of %ld%s\n%s", r.id.c_str(), r.held, r.cases, mark(r, "   DOES NOT HOLD"),
-                filled(r.says, 80, 6).c_str());
+                report::filled(r.says, 80, 6).c_str());
   if (!result.roundings.empty()) std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
   for (const auto& r : result.roundings)
     std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,

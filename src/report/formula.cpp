@@ -1,4 +1,3 @@
-#include <rigor/base/promise.hpp>
 #include <rigor/report/formula.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/texts.hpp>
@@ -19,21 +18,13 @@ std::string_view line_of(std::string_view file, std::string_view id) {
 
 }  // namespace
 
-std::string_view text(std::string_view name) {
-  for (const Text& file : texts())
-    if (file.path.size() > name.size() && file.path.substr(file.path.size() - name.size()) == name && file.path[file.path.size() - name.size() - 1] == '/')
-      return file.content;
-  promise(false, "a text is asked for by the name of an embedded file");
-  return {};
-}
-
 std::string formula_text(std::string_view id) {
-  const std::string_view line = line_of(text("typeset.tsv"), id);
+  const std::string_view line = line_of(text_named("typeset.tsv", texts()), id);
   return std::string(line.substr(0, line.find('\t')));
 }
 
 std::string formula_html(std::string_view id) {
-  const std::string_view markup = line_of(text("formulas.mathml"), id);
+  const std::string_view markup = line_of(text_named("formulas.mathml", texts()), id);
   if (!markup.empty()) return std::string(markup);
   const std::string plain = formula_text(id);
   return plain.empty() ? "" : "<code>" + escape(plain) + "</code>";
@@ -41,7 +32,7 @@ std::string formula_html(std::string_view id) {
 
 std::vector<std::string> formula_ids() {
   std::vector<std::string> ids;
-  const std::string_view file = text("typeset.tsv");
+  const std::string_view file = text_named("typeset.tsv", texts());
   for (std::size_t at = file.find('\n') + 1; at < file.size(); at = file.find('\n', at) + 1) ids.emplace_back(file.substr(at, file.find('\t', at) - at));
   return ids;
 }

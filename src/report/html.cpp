@@ -90,8 +90,8 @@ std::string escape(std::string_view text) {
 
 std::string render(const Page& page) {
   // the static picture of a plot is enough where no script was bundled
-  const bool hovers = page.body.find("<figure class=\"plot\">") != std::string::npos && !text("hover.js").empty();
-  const std::string script_source = hovers ? "'sha256-" + std::string(text("hover.js.sha256")) + "'" : "'none'";
+  const bool hovers = page.body.find("<figure class=\"plot\">") != std::string::npos && !text_named("hover.js", texts()).empty();
+  const std::string script_source = hovers ? "'sha256-" + std::string(text_named("hover.js.sha256", texts())) + "'" : "'none'";
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
@@ -99,12 +99,12 @@ std::string render(const Page& page) {
       "img-src data:; "
       "base-uri 'none'; form-action 'none'; script-src " +
       script_source + "\">\n<title>" + escape(page.title) + "</title>\n<style>" + sheet + page.style;
-  if (hovers) html += text("hover.css");
+  if (hovers) html += text_named("hover.css", texts());
   html += "</style>\n</head>\n<body>\n<main>\n<h1>" + escape(page.title) + "</h1>\n";
   if (!page.lead.empty()) html += "<p class=\"lead\">" + escape(page.lead) + "</p>\n";
   html += page.body + "\n</main>\n";
   if (!page.footer.empty()) html += "<footer><p>" + escape(page.footer) + "</p></footer>\n";
-  if (hovers) html += "<script>" + std::string(text("hover.js")) + "</script>\n";
+  if (hovers) html += "<script>" + std::string(text_named("hover.js", texts())) + "</script>\n";
   return html + "</body>\n</html>\n";
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <rigor/base/suggest.hpp>
@@ -22,11 +24,8 @@ Names method_names() {
 }
 std::optional<Fault> unknown(const Names& asked, const Names& known, const std::string& option, const std::string& what) {
   for (const std::string& name : asked)
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      std::string list;
-      for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
-      return Fault{Kind::unknown_key, option, "there is no " + what + " '" + name + "'" + did_you_mean(name, known) + "; known: " + list};
-    }
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return Fault{Kind::unknown_key, option, fmt::format("there is no {} '{}'{}; known: {}", what, name, did_you_mean(name, known), fmt::join(known, ", "))};
   return std::nullopt;
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -166,11 +168,9 @@ Outcome<const Problem*> open_problem(const std::string& name, double until) {
   const Recipe* recipe = nullptr;
   for (const Recipe& r : recipes)
     if (name == r.name) recipe = &r;
-  if (recipe == nullptr && !name.ends_with(".json")) {
-    std::string list;
-    for (const std::string& known : problem_names()) list += (list.empty() ? "" : ", ") + known;
-    return Fault{Fault::Kind::unknown_key, "problem", "there is no problem '" + name + "'" + did_you_mean(name, problem_names()) + "; known: " + list + ", or a scene file"};
-  }
+  if (recipe == nullptr && !name.ends_with(".json"))
+    return Fault{Fault::Kind::unknown_key, "problem",
+                 fmt::format("there is no problem '{}'{}; known: {}, or a scene file", name, did_you_mean(name, problem_names()), fmt::join(problem_names(), ", "))};
   const std::lock_guard lock(mutex);
   const auto key = std::pair{name, until};
   if (const auto it = made.find(key); it != made.end()) return &it->second;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <fstream>
 #include <rigor/report/html.hpp>
+#include <rigor/report/wrap.hpp>
 #include <rigor/studies/report.hpp>
-#include <sstream>
 #include <thread>
 
 namespace rigor::studies {
@@ -25,29 +25,11 @@ std::string first_load() {
   in >> load;
   return load;
 }
-// Text columns as wide as their widest cell. Counts code points, not bytes.
-std::size_t width(const std::string& text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 std::string padded(const std::string& text, std::size_t to, bool right) {
-  const std::string spaces(to > width(text) ? to - width(text) : 0, ' ');
+  const std::string spaces(to > report::columns(text) ? to - report::columns(text) : 0, ' ');
   return right ? spaces + text : text + spaces;
 }
 constexpr std::size_t terminal = 80;
-
-// Broken at blanks, behind a margin.
-std::string wrapped(const std::string& text, std::size_t margin) {
-  std::string out, line(margin, ' ');
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (width(line) > margin && width(line) + 1 + width(word) > terminal) {
-      out += line + "\n";
-      line.assign(margin, ' ');
-    }
-    line += (width(line) > margin ? " " : "") + word;
-  }
-  return out + line + "\n";
-}
 
 // The table in columns, one blank apart where two are too many; those that do not fit a line go on below, beside the
 // words once more.
@@ -56,8 +38,8 @@ std::string columns_text(const Table& t) {
   std::vector<std::size_t> widths;
   std::size_t all = margin;
   for (std::size_t i = 0; i < t.header.size(); ++i) {
-    std::size_t w = width(t.header[i]);
-    for (const auto& row : t.rows) w = std::max(w, i < row.size() ? width(row[i]) : 0);
+    std::size_t w = report::columns(t.header[i]);
+    for (const auto& row : t.rows) w = std::max(w, i < row.size() ? report::columns(row[i]) : 0);
     widths.push_back(w);
     all += w + 1;
   }
@@ -165,9 +147,9 @@ std::vector<std::string> page_figures(const StudyPage& page) {
 std::string page_text(const StudyPage& page) {
   std::string out;
   for (const Section& s : page.sections) {
-    out += wrapped(s.heading, 0);
+    out += report::filled(s.heading, terminal, 0);
     for (const Table& t : s.tables)
-      if (!t.every_run) out += wrapped(t.caption, 2) + columns_text(t) + "\n";
+      if (!t.every_run) out += report::filled(t.caption, terminal, 2) + columns_text(t) + "\n";
   }
   return out;
 }

@@ -1,16 +1,9 @@
 #pragma once
-#include <string_view>
-#include <vector>
+#include <rigor/base/text.hpp>
 
 namespace rigor::view {
 
-/// A file made by src/view/web/bundle.cmake, carried inside the program.
-struct Text {
-  std::string_view path, content;
-};
+/// What src/view/web/bundle.cmake makes for the interactive pages.
 const std::vector<Text>& texts();
-
-/// By file name. Precondition: bundle.cmake makes it.
-std::string_view web_file(std::string_view name);
 
 }  // namespace rigor::view

@@ -9,8 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/cli/explain.hpp>
-#include <rigor/cli/wrap.hpp>
-#include <sstream>
+#include <rigor/report/wrap.hpp>
 #include <sstream>
 #include <string>
 
@@ -225,12 +224,12 @@ TEST_F(Program, ExplainsInEightyColumns) {
 }
 
 TEST(Explain, FillsParagraphsAndKeepsFormulas) {
-  EXPECT_EQ(cli::filled("one two\nthree four\n\nfive\n", 12, 2), "  one two\n  three four\n\n  five\n");
-  EXPECT_EQ(cli::filled("1. **one** two\n   three\n2. four\n", 13, 0), "1. one two\n   three\n2. four\n");
-  EXPECT_EQ(cli::filled("shapes    one two three\n          four\n", 18, 0), "shapes    one two\n          three\n          four\n");
-  EXPECT_EQ(cli::filled("so\n    j = −(1 + e)  v\nhere\n", 40, 1), " so\n     j = −(1 + e)  v\n here\n");
-  EXPECT_EQ(cli::filled("ω̇ ωω ω\n", 6, 0), "ω̇ ωω ω\n");
-  EXPECT_EQ(cli::folded("  let a := b in\nx", 10, 0), "  let a :=\n      b in\nx\n");
+  EXPECT_EQ(report::filled("one two\nthree four\n\nfive\n", 12, 2), "  one two\n  three four\n\n  five\n");
+  EXPECT_EQ(report::filled("1. **one** two\n   three\n2. four\n", 13, 0), "1. one two\n   three\n2. four\n");
+  EXPECT_EQ(report::filled("shapes    one two three\n          four\n", 18, 0), "shapes    one two\n          three\n          four\n");
+  EXPECT_EQ(report::filled("so\n    j = −(1 + e)  v\nhere\n", 40, 1), " so\n     j = −(1 + e)  v\n here\n");
+  EXPECT_EQ(report::filled("ω̇ ωω ω\n", 6, 0), "ω̇ ωω ω\n");
+  EXPECT_EQ(report::folded("  let a := b in\nx", 10, 0), "  let a :=\n      b in\nx\n");
 }
 
 TEST(Explain, FindsADerivationForEveryFormula) {

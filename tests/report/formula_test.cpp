@@ -29,7 +29,7 @@ TEST(Formula, OfTheListIsAFormulaOfTheSource) {
 }
 
 TEST(Formula, IsMathMLWithItsTeXOrPlainText) {
-  const bool bundled = !text("formulas.mathml").empty();
+  const bool bundled = !text_named("formulas.mathml", texts()).empty();
   for (const std::string& id : formula_ids()) {
     EXPECT_NE(formula_text(id), "") << id;
     const std::string html = formula_html(id);

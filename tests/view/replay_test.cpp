@@ -35,7 +35,7 @@ std::vector<T> unpacked(const std::string& text) {
   std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
   return values;
 }
-bool have_bundle() { return !web_file("replay.js").empty(); }
+bool have_bundle() { return !text_named("replay.js", texts()).empty(); }
 // The text of <script type="application/json">, as a browser cuts it: up to the first end tag.
 std::string data_of(const std::string& page) {
   const std::string start = "<script type=\"application/json\" id=\"data\">";
@@ -115,7 +115,7 @@ TEST(Recording, KeepsAMinuteOfTenCuboidsUnderThreeMegabytes) {
   scene.every = 0;
   const Recording recording = record(scene);
   EXPECT_GE(recording.frames(), 1800u) << "no coarser than 1/30 s";
-  EXPECT_LE(recording.packed().dump().size() + web_file("replay.js").size() + web_file("replay.css").size(), 3'000'000u);
+  EXPECT_LE(recording.packed().dump().size() + text_named("replay.js", texts()).size() + text_named("replay.css", texts()).size(), 3'000'000u);
 }
 
 RC_GTEST_PROP(Replay, NamesAndTitlesAreNeverMarkup, ()) {

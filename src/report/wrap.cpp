@@ -1,11 +1,10 @@
 #include <regex>
-#include <rigor/cli/wrap.hpp>
+#include <rigor/report/wrap.hpp>
 #include <sstream>
 
-namespace rigor::cli {
-namespace {
+namespace rigor::report {
 
-// Columns of UTF-8: bytes that begin a character, without the dots and arrows set above another (U+0300 to U+036F).
+// Bytes that begin a character, but for those of U+0300 to U+036F.
 std::size_t columns(const std::string& text) {
   std::size_t count = 0;
   for (const char c : text) {
@@ -14,6 +13,8 @@ std::size_t columns(const std::string& text) {
   }
   return count;
 }
+
+namespace {
 
 // `text` behind `margin` spaces, broken at spaces from position `from` on; lines after the first start at margin + hang.
 void fill(std::string& out, const std::string& text, std::size_t from, std::size_t width, std::size_t margin,
@@ -76,4 +77,4 @@ std::string folded(const std::string& text, std::size_t width, std::size_t margi
   return out;
 }
 
-}  // namespace rigor::cli
+}  // namespace rigor::report
