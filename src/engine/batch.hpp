@@ -8,14 +8,17 @@
 
 namespace rigor {
 
-/// The methods of integrators/euler.hpp a batch steps by.
-enum class BatchMethod { euler_momentum, euler_momentum_cross };
+/// The methods a batch steps by.
+enum class BatchMethod { euler_momentum, euler_momentum_cross, split2 };
+inline constexpr BatchMethod batch_methods[] = {BatchMethod::euler_momentum, BatchMethod::euler_momentum_cross, BatchMethod::split2};
+
+/// The row of methods() a batch of this method has the bits of.
+const Method& plain(BatchMethod method);
 
 /// Many bodies that do not touch, stepped together: lane by lane the bits of the plain method, on every instruction set
 /// and for any number of threads.
 ///
-/// Order 1; without torque L stays the same to the bit (case D-08). For torque-free flight without a step there is
-/// ExactFlight.
+/// Without torque L stays the same to the bit (case D-08). For torque-free flight without a step there is ExactFlight.
 class Batch {
  public:
   /// One motion per body (motion_of makes one from a state); attitudes are rotations.

@@ -17,10 +17,11 @@ struct alignas(64) BatchBlock {
   double a[3][lanes];          ///< f/m
   double tau[3][lanes];
   double inverse_I[3][lanes];  ///< principal, body axes
+  double middle[lanes];        ///< the axis of the middle moment: 0, 1 or 2
 };
 
 /// `steps` steps of size h of `count` blocks. Each set of instructions gives the same bits.
 using StepBlocks = void(BatchBlock* blocks, long count, double h, long steps);
-extern const Compiled<StepBlocks> euler_momentum_blocks, euler_momentum_cross_blocks;
+extern const Compiled<StepBlocks> euler_momentum_blocks, euler_momentum_cross_blocks, split2_blocks;
 
 }  // namespace rigor::detail

@@ -1,24 +1,10 @@
 #pragma once
 #include <cmath>
 #include <rigor/linalg/rotation.hpp>
+#include <rigor/scalar/cos_sinc.hpp>
 
-/// The few quaternion operations of the free turns: plain loops without a call to the mathematics library where a step is short.
+/// The few quaternion operations of the free turns: plain loops without a call to the mathematics library.
 namespace rigor {
-
-/// cos √z and sin √z / √z, z ≥ 0, within about 1 ulp: below z = 1/4 the series (next terms z⁸/16!, z⁷/15! < u/2), in pairs so that
-/// the processor has something to do at the same time.
-struct CosSinc {
-  double cos, sinc;
-};
-inline CosSinc cos_sinc(double z) {
-  if (!(z < 0.25)) {
-    const double x = std::sqrt(z);
-    return {std::cos(x), std::sin(x) / x};
-  }
-  const double z2 = z * z, z4 = z2 * z2;
-  return {((1 - z * (1 / 2.)) + z2 * (1 / 24. - z * (1 / 720.))) + z4 * ((1 / 40320. - z * (1 / 3628800.)) + z2 * (1 / 479001600. - z * (1 / 87178291200.))),
-          ((1 - z * (1 / 6.)) + z2 * (1 / 120. - z * (1 / 5040.))) + z4 * ((1 / 362880. - z * (1 / 39916800.)) + z2 * (1 / 6227020800.))};
-}
 
 /// The unit quaternion of a turn by |θ| about θ.
 inline Vec4<double> exp_quaternion(const Vec3<double>& theta) {

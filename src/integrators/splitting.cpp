@@ -41,12 +41,6 @@ Vec4<double> three_axes(const Cuboid<double>& body, const V& L_B, double h, long
   return q;
 }
 
-int middle_axis(const V& I) {
-  for (int k = 0; k < 3; ++k)
-    if ((I[k] >= I[(k + 1) % 3]) == (I[k] <= I[(k + 2) % 3])) return k;
-  return 1;  // all three equal
-}
-
 template <const auto& stages>
 Vec4<double> two_axes(const Cuboid<double>& body, const V& L_B, double h, long steps) {
   const int m = middle_axis(body.inertia());
@@ -69,6 +63,12 @@ Vec4<double> two_axes(const Cuboid<double>& body, const V& L_B, double h, long s
 }
 
 }  // namespace
+
+int middle_axis(const V& I) {
+  for (int k = 0; k < 3; ++k)
+    if ((I[k] >= I[(k + 1) % 3]) == (I[k] <= I[(k + 2) % 3])) return k;
+  return 1;  // all three equal
+}
 
 Motion step_split3(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(three_axes<strang>, body, now, load, h); }
 Motion step_split3_yoshida4(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(three_axes<yoshida4>, body, now, load, h); }

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <rigor/scalar/concepts.hpp>
 #include <rigor/scalar/constants.hpp>
+#include <rigor/scalar/cos_sinc.hpp>
 #include <rigor/scalar/gamma.hpp>
 #include <rigor/scalar/magnitude.hpp>
 #include <rigor/scalar/rational.hpp>
@@ -62,6 +64,32 @@ TEST(Pi, IsTheNearestOfItsType) {
   EXPECT_LT(std::abs(std::sin((long double)pi<double>()) - ((long double)M_PIl - pi<double>())),
             1e-19L);  // sin(π − x) = x, to long double's 5e-20
   EXPECT_EQ(pi<float>(), float(M_PI));
+}
+
+// Against the C library in long double; angles from the joint of the two series at 1/2 to 1e12.
+TEST(CosSinc, IsWithinWhatItSays) {
+  std::mt19937_64 random(20260414);
+  const double u = 0x1p-53;
+  double near = 0, far = 0;
+  for (const double top : {0.5, 0.51, 0.8, 1.6, 3.2, 10., 1e4, 1e8, 1e12})
+    for (int k = 0; k < 20000; ++k) {
+      const double x = top * (double(random() >> 11) * u), z = x * x;
+      const long double exact = std::sqrt((long double)z);
+      const CosSinc got = cos_sinc(z);
+      const double off = double(std::fmax(std::fabs(got.cos - std::cos(exact)), std::fabs(got.sinc * exact - std::sin(exact))));
+      if (z < 0.25) near = std::fmax(near, off / u);
+      else far = std::fmax(far, off / (u * (1 + x)));
+    }
+  EXPECT_LT(near, 2);  // an ulp of cos there is 2^-53 or, near 1, less
+  EXPECT_LT(far, 2);
+  EXPECT_GT(far, 1) << "the bound is not idle";
+}
+TEST(CosSinc, HasAnAnswerForEveryNumber) {
+  EXPECT_EQ(cos_sinc(0).cos, 1);
+  EXPECT_EQ(cos_sinc(0).sinc, 1);
+  EXPECT_EQ(cos_sinc(1e300).cos, 1);
+  EXPECT_EQ(cos_sinc(1e300).sinc, 0);
+  EXPECT_TRUE(std::isnan(cos_sinc(NAN).cos) && std::isnan(cos_sinc(NAN).sinc));
 }
 
 // size(x) is the sum of the absolute values of what was added up to x.
