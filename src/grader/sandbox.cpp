@@ -49,10 +49,13 @@ bool become_nobody() {
 }
 
 /// Landlock: the kernel lets this process read below `readable` and write below `writable`, and nowhere else. The
-/// fall-back where there are no mount namespaces; false where the kernel has none either. Allocates nothing.
-bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
+/// fall-back where there are no mount namespaces; false where the kernel has none either. `sees_itself`: its own
+/// directory of /proc too, which the sanitizers ask for their map of memory. Allocates nothing.
+bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable, bool sees_itself) {
   constexpr std::uint64_t read_rights =
       LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+  constexpr std::uint64_t file_rights =
+      LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
   constexpr std::uint64_t all_rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;
   landlock_ruleset_attr handled{};
   handled.handled_access_fs = all_rights;
@@ -62,11 +65,14 @@ bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>&
     landlock_path_beneath_attr below{};
     below.parent_fd = open(path, O_PATH | O_CLOEXEC);
     if (below.parent_fd < 0) return;
-    below.allowed_access = rights;
+    struct stat kind{};
+    const bool directory = fstat(below.parent_fd, &kind) == 0 && S_ISDIR(kind.st_mode);
+    below.allowed_access = directory ? rights : rights & file_rights;  // the kernel refuses a file the rights of a directory
     syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &below, 0);
     close(below.parent_fd);
   };
   for (const char* system : {"/usr", "/bin", "/lib", "/lib32", "/lib64"}) allow(system, read_rights);
+  if (sees_itself) allow("/proc/self", read_rights);
   for (const fs::path& path : readable) allow(path.c_str(), read_rights);
   for (const fs::path& path : writable) allow(path.c_str(), all_rights);
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && syscall(SYS_landlock_restrict_self, rules, 0) == 0;
@@ -104,7 +110,7 @@ const Layers& layers() {
     Layers l{};
     l.drops_user = geteuid() == 0 && succeeds(become_nobody);
     l.filter = succeeds([] { return install(compiler_filter()); });
-    l.landlock = succeeds([] { return keep_to({}, {}); });
+    l.landlock = succeeds([] { return keep_to({}, {}, false); });
     l.bubblewrap = bubblewrap_path();
     l.namespaces = l.bubblewrap != nullptr && succeeds([&l] {
       if (l.drops_user && !become_nobody()) return false;
@@ -189,7 +195,7 @@ SystemCallFilter filter_of(Profile profile, pid_t self) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (chdir(what.directory.c_str()) != 0) _exit(127);
     // (a worker opens no file at all: its filter refuses)
-    if (!worker && layers().landlock && !keep_to(what.readable, what.writable)) _exit(127);
+    if (!worker && layers().landlock && !keep_to(what.readable, what.writable, what.profile == Profile::sanitizer)) _exit(127);
     if (layers().filter && !install(filter_of(what.profile, getpid()))) _exit(127);
   }
   execve(argv[0], argv, environment);

@@ -122,7 +122,7 @@ std::string self() { return fs::read_symlink("/proc/self/exe").string(); }
 const std::string container = "bwrap --unshare-user --disable-userns --dev-bind / / -- ";
 const std::string unprivileged = "setpriv --reuid 12345 --regid 12345 --clear-groups ";
 const std::string chosen =
-    " --gtest_brief=1 --gtest_filter='Sandbox.Says*:All/Hostile.*/aborts*:All/Hostile.*/kills*:"
+    " --gtest_brief=1 --gtest_filter='Sandbox.Says*:Sanitizers.Find*:All/Hostile.*/aborts*:All/Hostile.*/kills*:"
     "All/Hostile.*/reads_files:All/Hostile.*/writes_files:All/Hostile.*/includes_*:All/Hostile.*/leaves*'";
 
 TEST(Sandbox, WorksInAContainerWithoutNamespaces) {
