@@ -49,9 +49,8 @@ bool become_nobody() {
 }
 
 /// Landlock: the kernel lets this process read below `readable` and write below `writable`, and nowhere else. The
-/// fall-back where there are no mount namespaces; false where the kernel has none either. `sees_itself`: its own
-/// directory of /proc too, which the sanitizers ask for their map of memory. Allocates nothing.
-bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable, bool sees_itself) {
+/// fall-back where there are no mount namespaces; false where the kernel has none either. Allocates nothing.
+bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
   constexpr std::uint64_t read_rights =
       LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
   constexpr std::uint64_t file_rights =
@@ -72,7 +71,6 @@ bool keep_to(const std::vector<fs::path>& readable, const std::vector<fs::path>&
     close(below.parent_fd);
   };
   for (const char* system : {"/usr", "/bin", "/lib", "/lib32", "/lib64"}) allow(system, read_rights);
-  if (sees_itself) allow("/proc/self", read_rights);
   for (const fs::path& path : readable) allow(path.c_str(), read_rights);
   for (const fs::path& path : writable) allow(path.c_str(), all_rights);
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && syscall(SYS_landlock_restrict_self, rules, 0) == 0;
@@ -110,7 +108,7 @@ const Layers& layers() {
     Layers l{};
     l.drops_user = geteuid() == 0 && succeeds(become_nobody);
     l.filter = succeeds([] { return install(compiler_filter()); });
-    l.landlock = succeeds([] { return keep_to({}, {}, false); });
+    l.landlock = succeeds([] { return keep_to({}, {}); });
     l.bubblewrap = bubblewrap_path();
     l.namespaces = l.bubblewrap != nullptr && succeeds([&l] {
       if (l.drops_user && !become_nobody()) return false;
@@ -195,7 +193,7 @@ SystemCallFilter filter_of(Profile profile, pid_t self) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (chdir(what.directory.c_str()) != 0) _exit(127);
     // (a worker opens no file at all: its filter refuses)
-    if (!worker && layers().landlock && !keep_to(what.readable, what.writable, what.profile == Profile::sanitizer)) _exit(127);
+    if (!worker && layers().landlock && !keep_to(what.readable, what.writable)) _exit(127);
     if (layers().filter && !install(filter_of(what.profile, getpid()))) _exit(127);
   }
   execve(argv[0], argv, environment);
