@@ -66,12 +66,10 @@ void explain(const Scene& scene, const Skips& skips, const RunSummary& run) {
   needs("friction", !scene.surface.frictionless() && !scene.planes.empty(),
         scene.surface.frictionless() ? "both coefficients are 0" : scene.planes.empty() ? "it acts on planes only" : std::string("law ") + name(scene.friction_law));
   needs("torque", torque, torque ? "forces or the vacuum" : "no force but gravity");
-  if (scene.method == "located") {
-    std::printf("  needs no steps     flights in closed form, searched impact by impact\n");
-    return;
-  }
+  if (scene.method == "located") std::printf("  needs no steps     flights in closed form, searched impact by impact\n");
   for (const PlanLine& line : plan(skips, run.ledger.skips))
-    if (line.skipped) std::printf("  skips    %-9s %ld of %ld %s: %s\n%21s%s\n", line.id.c_str(), line.left_out, line.of, line.what.c_str(), line.why.c_str(), "", line.effect.c_str());
+    if (line.of == 0) continue;
+    else if (line.skipped) std::printf("  skips    %-9s %ld of %ld %s: %s\n%21s%s\n", line.id.c_str(), line.left_out, line.of, line.what.c_str(), line.why.c_str(), "", line.effect.c_str());
     else std::printf("  does     %-9s all %ld %s\n", line.id.c_str(), line.of, line.what.c_str());
 }
 
@@ -93,7 +91,7 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
   if (scene.method == "located")
     return simulate_located(scene, both, [&](const LocatedImpact& impact) {
       if (recording != nullptr) recording->impact(impact.body, impact.before, impact.after);
-    });
+    }, skips);
   return simulate(scene, both, [&](const Impact& impact) {
     if (recording != nullptr) recording->impact(impact);
   }, skips);
@@ -183,7 +181,7 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
-  command->add_option("--no-skip", options->no_skip, "do what could be left out (steppers): pairs, planes, loads, monitors or all; the same bits, slower")->delimiter(',');
+  command->add_option("--no-skip", options->no_skip, "do what could be left out: pairs, planes, loads, monitors or all; the same bits, slower")->delimiter(',');
   CLI::Option* explained = command->add_flag("--explain", options->explain, "print what the scene needs and what was left out, why and how often");
   command->add_flag("--json", options->json, "print summary.json")->excludes(explained);
   command->add_flag("--quiet", options->quiet, "print nothing");

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/engine/located_world.hpp>
 #include <rigor/formulas/gram_schmidt.hpp>
@@ -15,38 +16,57 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const LocatedObserver& observe_impact)
-    : scene_(scene), summary_(summary), observe_impact_(observe_impact), ledger_(summary.ledger), gravity_(scene.gravity) {
-  for (const SceneBody& b : scene.bodies) {
-    bodies_.emplace_back();
-    ledger_.energy.start += energy(bodies_.size() - 1, b.start);
+LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const LocatedObserver& observe_impact, const Skips& skips)
+    : scene_(scene), summary_(summary), observe_impact_(observe_impact), ledger_(summary.ledger), gravity_(scene.gravity), skips_(skips),
+      bodies_(scene.bodies.size()), boxes_(scene.bodies.size()), partners_(scene.bodies.size()), known_(scene.bodies.size(), false), met_(scene.bodies.size(), false) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const SceneBody& b = scene.bodies[i];
+    ledger_.energy.start += energy(i, b.start);
     ledger_.linear.start += b.shape.mass() * b.start.v_WB;
-    ledger_.angular.start += angular(bodies_.size() - 1, b.start);
+    ledger_.angular.start += angular(i, b.start);
+    bodies_[i].phase = LocatedBody::Phase::stepping;  // unknown to each other until begun
+    bodies_[i].stride = size(i);
   }
-  pairs_.resize(bodies_.size() * bodies_.size());
-  nearest_.assign(bodies_.size(), 0);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].phase = LocatedBody::Phase::stepping;  // unknown to each other until begun
   for (std::size_t i = 0; i < bodies_.size(); ++i) begin(i, Moment{}, scene.bodies[i].start);
 }
 
-double LocatedWorld::next_time() const {
-  double t = next_action_ < scene_.actions.size() ? scene_.actions[next_action_].at : infinity;
-  if (stepping_ > 0) t = std::min(t, next_step());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    t = std::min(t, bodies_[i].start.after(bodies_[i].next).value());
-    t = std::min(t, nearest_event(i).at.value());
+double LocatedWorld::next_time() {
+  for (;;) {
+    double t = next_action_ < scene_.actions.size() ? scene_.actions[next_action_].at : infinity;
+    t = std::min(t, next_step_);
+    while (!events_.empty() && is_void(events_.front())) std::pop_heap(events_.begin(), events_.end(), std::greater<>{}), events_.pop_back();
+    if (events_.empty()) return t;
+    const Event& first = events_.front();
+    t = std::min(t, first.at.value());
+    if (first.kind != Event::Kind::look || first.at.value() > t) return t;
+    const std::size_t i = first.i;
+    std::pop_heap(events_.begin(), events_.end(), std::greater<>{}), events_.pop_back();
+    look(i);
   }
-  return t;
 }
 
 void LocatedWorld::advance() {
   const double t = next_time();
   if (next_action_ < scene_.actions.size() && scene_.actions[next_action_].at <= t) return act(scene_.actions[next_action_++]);
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_[i].start.after(bodies_[i].next).value() <= t) return happen(i);
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (nearest_event(i).at.value() <= t) return meet(i, nearest_[i]);
-  step_all(t);
+  if (events_.empty() || events_.front().at.value() > t) return step_all(t);
+  const Event event = events_.front();
+  std::pop_heap(events_.begin(), events_.end(), std::greater<>{}), events_.pop_back();
+  if (event.kind == Event::Kind::own) happen(event.i);
+  else meet(event);
+}
+
+void LocatedWorld::push(const Event& event) {
+  if (events_.size() > 2 * events_kept_ + 64) {
+    std::erase_if(events_, [&](const Event& e) { return is_void(e); });
+    std::make_heap(events_.begin(), events_.end(), std::greater<>{});
+    events_kept_ = events_.size();
+  }
+  events_.push_back(event);
+  std::push_heap(events_.begin(), events_.end(), std::greater<>{});
+}
+
+bool LocatedWorld::is_void(const Event& event) const {
+  return bodies_[event.i].flights != event.flight_i || bodies_[event.j].flights != event.flight_j;
 }
 
 std::vector<State<double>> LocatedWorld::states(double t) const {
@@ -128,14 +148,14 @@ State<double> LocatedWorld::arrive(std::size_t i, double tau) {
   return s;
 }
 
-Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact) {
+Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact, const Skips& skips) {
   using Kind = Fault::Kind;
   if (!scene.forces.empty()) return Fault{Kind::unsupported, "forces", "are not known to method 'located' (gravity is); use a stepper"};
   for (const SceneAction& action : scene.actions)
     if (action.what == SceneAction::Do::vacuum_on) return Fault{Kind::unsupported, "actions", "vacuum-on is not known to method 'located'; use a stepper"};
 
   RunSummary summary;
-  LocatedWorld world(scene, summary, observe_impact);
+  LocatedWorld world(scene, summary, observe_impact, skips);
   const double every = scene.every > 0 ? scene.every : 1.0 / 60;
   long row = 0;
   double t_end = scene.until;

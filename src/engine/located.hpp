@@ -23,7 +23,9 @@ using LocatedObserver = std::function<void(const LocatedImpact&)>;
 /// persistent contact is handed to the stepper `sheet` with the scene's dt, until ten steps in a row met no plane. The
 /// rules and their reasons: docs/located-impacts.md.
 ///
+/// `skips.pairs` and `skips.planes` leave out what cannot meet in a flight; the states have the same bits with and without.
+///
 /// Faults: unsupported, naming what the mode does not know (forces and the vacuum: they have torque).
-Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact = {});
+Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe, const LocatedObserver& observe_impact = {}, const Skips& skips = {});
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/contact/impact.hpp>
+#include <rigor/engine/first_root.hpp>
 #include <rigor/engine/located_world.hpp>
 #include <rigor/engine/plane_search.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
@@ -132,24 +133,48 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
   if (b.handed) {
     summary_.handed_over[b.reported].to = now.value();
     b.handed = false;
-    --stepping_;
+    stepping_.erase(std::lower_bound(stepping_.begin(), stepping_.end(), i));
   }
+  land(i);
   b.phase = phase;
   b.start = now;
   b.support = support;
-  b.flight = std::make_unique<Flight>(shape(i), s, a);
+  b.flight.emplace(shape(i), s, a);
+  ++flying_;
   b.next = ends;
   b.tangled = false;
-  const double horizon = now.until(scene_.until);
+  const double horizon = now.until(scene_.until), radius = size(i) / 2;
   for (std::size_t p = 0; p < scene_.planes.size(); ++p) {
     if (int(p) == support) continue;
-    const PlaneContact found = next_plane_contact(shape(i), *b.flight, scene_.planes[p], 0, std::min(b.next, horizon));
+    const Plane<double>& plane = scene_.planes[p];
+    const double limit = std::min(b.next, horizon);
+    ++ledger_.skips.planes_of;
+    if (skips_.planes) {  // the sphere around the cuboid stays clear of it
+      const double clear = plane.gap(s.p_WB) - radius;
+      if (clear > 0 && !(first_root(clear, dot<double>(plane.normal(), s.v_WB), dot<double>(plane.normal(), a)) <= limit)) {
+        ++ledger_.skips.planes;
+        continue;
+      }
+    }
+    const PlaneContact found = next_plane_contact(shape(i), *b.flight, plane, 0, limit);
     summary_.steps += found.advances;
     if (found.kind == PlaneContact::Kind::none || found.tau >= b.next) continue;
     b.next = found.tau;
     b.tangled = found.kind == PlaneContact::Kind::tangled;
   }
-  search_partners(i);
+  const std::uint32_t index = std::uint32_t(i);
+  if (b.next < infinity) push({now.after(b.next), Event::Kind::own, false, index, index, b.flights, b.flights});
+  ledger_.skips.pairs_of += long(flying_) - 1;
+  if (skips_.pairs) ledger_.skips.pairs += long(flying_) - 1;
+  look(i);
+}
+
+void LocatedWorld::land(std::size_t i) {
+  LocatedBody& b = bodies_[i];
+  if (b.flight) b.flight.reset(), --flying_;
+  ++b.flights;
+  b.looked = 0;
+  partners_[i].known.clear();
 }
 
 void LocatedWorld::note(const ImpactReport<double>& report) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/contact/impact.hpp>
+#include <rigor/engine/first_root.hpp>
 #include <rigor/engine/located_world.hpp>
 #include <rigor/engine/pair_search.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
@@ -13,51 +14,88 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double u = 0x1p-53;
+constexpr std::size_t most_in_a_box = 4;  // not searched yet: beyond it a shorter part of the flight is looked at
 
 }  // namespace
 
-const PairEvent& LocatedWorld::nearest_event(std::size_t i) const {
-  static const PairEvent none;
-  return nearest_[i] > i ? pairs_[i * bodies_.size() + nearest_[i]] : none;
+void LocatedWorld::look(std::size_t i) {
+  LocatedBody& b = bodies_[i];
+  const double from = b.looked, end = std::max(from, std::min(b.next, b.start.until(scene_.until)));
+  const V& a = b.flight->acceleration();
+  const double speed = norm<double>(V(b.flight->start().v_WB + from * a));
+  Partners& mine = partners_[i];
+  forget_void(mine);
+  known_[i] = true;
+  for (const Partner& p : mine.known) known_[p.body] = true;
+  double to = end;
+  for (;;) {
+    // a millionth of what is left at least, so that looks end
+    if (skips_.pairs) to = std::min(end, from + std::fmax(first_root(b.stride, -speed, -norm<double>(a)), 1e-6 * (end - from)));
+    boxes_.put(std::uint32_t(i), swept_box(*b.flight, size(i) / 2, from, to, b.start.value()));
+    near(boxes_.box(std::uint32_t(i)), found_);
+    fresh_.clear();
+    for (const std::uint32_t j : found_)
+      if (!known_[j] && bodies_[j].flight) fresh_.push_back(j);
+    if (fresh_.size() <= most_in_a_box || b.stride <= size(i) || !skips_.pairs) break;
+    b.stride /= 2;
+  }
+  if (fresh_.empty() && to < end) b.stride *= 2;
+  known_[i] = false;
+  for (const Partner& p : mine.known) known_[p.body] = false;
+
+  for (const std::uint32_t j : fresh_) {
+    const std::uint32_t self = std::uint32_t(i), low = std::min(self, j), high = std::max(self, j);
+    const PairEvent event = search_pair(low, high);
+    if (event.at.value() < infinity) push({event.at, Event::Kind::meeting, event.tangled, low, high, bodies_[low].flights, bodies_[high].flights});
+    mine.known.push_back({j, bodies_[j].flights});
+    Partners& theirs = partners_[j];
+    if (theirs.known.size() > 2 * theirs.kept + 16) forget_void(theirs);
+    theirs.known.push_back({std::uint32_t(i), b.flights});
+  }
+  b.looked = to;
+  if (to < end) push({b.start.after(to), Event::Kind::look, false, std::uint32_t(i), std::uint32_t(i), b.flights, b.flights});
 }
 
-void LocatedWorld::search_partners(std::size_t i) {
-  const std::size_t n = bodies_.size();
-  for (std::size_t j = 0; j < n; ++j) {
-    if (j == i) continue;
-    const std::size_t low = std::min(i, j), high = std::max(i, j);
-    pairs_[low * n + high] = search_pair(low, high);
-  }
-  for (std::size_t row = 0; row <= i; ++row) {
-    if (row < i && nearest_[row] != i && !(pairs_[row * n + i].at.value() < nearest_event(row).at.value())) continue;
-    nearest_[row] = row;
-    for (std::size_t j = row + 1; j < n; ++j)
-      if (pairs_[row * n + j].at.value() < nearest_event(row).at.value()) nearest_[row] = j;
+void LocatedWorld::forget_void(Partners& partners) const {
+  std::erase_if(partners.known, [&](const Partner& p) { return bodies_[p.body].flights != p.flight; });
+  partners.kept = partners.known.size();
+}
+
+void LocatedWorld::near(const AxisBox& box, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  if (skips_.pairs) {
+    boxes_.overlapping(box, found);
+    std::sort(found.begin(), found.end());
+  } else {
+    for (std::uint32_t j = 0; j < bodies_.size(); ++j) found.push_back(j);
   }
 }
 
 PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   const LocatedBody &a = bodies_[i], &b = bodies_[j];
-  if (!a.flight || !b.flight || (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting)) return {};
+  if (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting) return {};
   const Moment base = a.start.since(b.start) > 0 ? a.start : b.start;
-  // Out of reach: the spheres around them do not meet before the run, or one of the flights, is over; the next flight is
-  // searched when it begins. A thousandth to spare is far more than the rounding of positions of 1e9 sizes.
-  const auto centre = [&](const LocatedBody& body) {
-    const double tau = base.since(body.start);
-    return V(body.flight->start().p_WB + tau * (body.flight->start().v_WB + tau / 2 * body.flight->acceleration()));
-  };
-  const auto speed = [&](const LocatedBody& body) { return V(body.flight->start().v_WB + base.since(body.start) * body.flight->acceleration()); };
-  const double longest = std::min({base.until(scene_.until), a.next - base.since(a.start), b.next - base.since(b.start)});
-  const double travel = longest * (norm<double>(V(speed(b) - speed(a))) + longest / 2 * norm<double>(V(b.flight->acceleration() - a.flight->acceleration())));
-  if (longest >= 0 && norm<double>(V(centre(b) - centre(a))) - travel > 1.001 * (size(i) + size(j)) / 2 + 1e-3 * travel) return {};
+  if (skips_.pairs) {
+    // Out of reach: the spheres around them do not meet before the run, or one of the flights, is over; the next flight is
+    // searched when it begins. A thousandth to spare is far more than the rounding of positions of 1e9 sizes.
+    const auto centre = [&](const LocatedBody& body) {
+      const double tau = base.since(body.start);
+      return V(body.flight->start().p_WB + tau * (body.flight->start().v_WB + tau / 2 * body.flight->acceleration()));
+    };
+    const auto speed = [&](const LocatedBody& body) { return V(body.flight->start().v_WB + base.since(body.start) * body.flight->acceleration()); };
+    const double longest = std::min({base.until(scene_.until), a.next - base.since(a.start), b.next - base.since(b.start)});
+    const double travel = longest * (norm<double>(V(speed(b) - speed(a))) + longest / 2 * norm<double>(V(b.flight->acceleration() - a.flight->acceleration())));
+    if (longest >= 0 && norm<double>(V(centre(b) - centre(a))) - travel > 1.001 * (size(i) + size(j)) / 2 + 1e-3 * travel) return {};
+    --ledger_.skips.pairs;
+  }
   const PairContact found = next_pair_contact(shape(i), *a.flight, base.since(a.start), shape(j), *b.flight, base.since(b.start), 0, base.until(scene_.until));
   summary_.steps += found.advances;
   if (found.kind == PairContact::Kind::none) return {};
   return {base.after(found.time), found.kind == PairContact::Kind::tangled};
 }
 
-void LocatedWorld::meet(std::size_t i, std::size_t j) {
-  const PairEvent event = pairs_[i * bodies_.size() + j];
+void LocatedWorld::meet(const Event& event) {
+  const std::size_t i = event.i, j = event.j;
   const Moment now = event.at;
   State<double> a = arrive(i, now.since(bodies_[i].start)), b = arrive(j, now.since(bodies_[j].start));
   LocatedImpact seen_a{i, now.value(), now.since(bodies_[i].start), bodies_[i].flight->start(), a, a}, seen_b{j, now.value(), now.since(bodies_[j].start), bodies_[j].flight->start(), b, b};
@@ -79,7 +117,7 @@ void LocatedWorld::meet(std::size_t i, std::size_t j) {
     hand_over(i, now, a, trouble);
     hand_over(j, now, b, trouble);
   } else {
-    bodies_[j].flight.reset();  // no partner for the search of i until it has begun anew
+    land(j);  // no partner for the search of i until it has begun anew
     begin(i, now, a);
     begin(j, now, b);
   }

@@ -21,7 +21,7 @@ void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<doubl
   b.phase = LocatedBody::Phase::stepping;
   b.start = now;
   b.support = -1;
-  b.flight.reset();
+  land(i);
   b.motion = motion_of(shape(i), s);
   b.calm = 0;
   b.next = infinity;
@@ -29,60 +29,90 @@ void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<doubl
     b.handed = true;
     b.reported = summary_.handed_over.size();
     summary_.handed_over.push_back({i, now.value(), infinity, why});
-    ++stepping_;
+    stepping_.insert(std::lower_bound(stepping_.begin(), stepping_.end(), i), std::uint32_t(i));
   }
-  search_partners(i);
+  next_step_ = std::min(next_step_, step_after(now));
+  boxes_.remove(std::uint32_t(i));
+  settle(i);
 }
 
-double LocatedWorld::next_step() const {
-  double t = infinity;
-  for (const LocatedBody& b : bodies_)
-    if (b.handed) t = std::min(t, (std::floor(b.start.value() / scene_.dt * (1 + 4 * u)) + 1) * scene_.dt);
-  return t;
+double LocatedWorld::step_after(const Moment& start) const {
+  return (std::floor(start.value() / scene_.dt * (1 + 4 * u)) + 1) * scene_.dt;
+}
+
+bool LocatedWorld::settle(std::size_t i) {
+  const State<double>& s = bodies_[i].motion.state;
+  const double reach = size(i) / 2 * 1.001, room = size(i) / 4;
+  if (!is_finite(s)) return false;  // the run ends
+  const auto around = [&](double r) { return AxisBox{V(s.p_WB - V::Constant(r)), V(s.p_WB + V::Constant(r))}; };
+  const AxisBox needs = around(reach);
+  if (boxes_.has(std::uint32_t(i)) && holds(boxes_.box(std::uint32_t(i)), needs)) return false;
+  boxes_.put(std::uint32_t(i), around(reach + room));
+  return true;
 }
 
 void LocatedWorld::step_all(double t) {
-  std::vector<std::size_t> in;
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (bodies_[i].handed) in.push_back(i);
-  std::vector<bool> met(bodies_.size(), false);
-  for (const std::size_t i : in)
-    for (const Plane<double>& plane : scene_.planes) met[i] = respond(i, plane) || met[i];
-  for (const std::size_t i : in)
-    for (const std::size_t j : in)
-      if (i < j && push_apart(i, j)) met[i] = met[j] = true;
-  for (const std::size_t i : in) {
+  static const Method& sheet = *find_method("sheet");
+  std::vector<std::uint32_t>& in = step_of_;
+  in = stepping_;
+  for (const std::uint32_t i : in) {
+    met_[i] = false;
+    for (const Plane<double>& plane : scene_.planes) met_[i] = respond(i, plane) || met_[i];
+    settle(i);
+  }
+  for (const std::uint32_t i : in) {
+    near(boxes_.box(i), found_);
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      const std::uint32_t j = found_[k];
+      if (j <= i || !bodies_[j].handed || !push_apart(i, j)) continue;
+      met_[i] = met_[j] = true;
+      settle(j);
+      if (!settle(i)) continue;
+      near(boxes_.box(i), found_);  // it was pushed out of its box: others may be near now
+      k = std::size_t(std::upper_bound(found_.begin(), found_.end(), j) - found_.begin()) - 1;
+    }
+  }
+  for (const std::uint32_t i : in) {
     LocatedBody& b = bodies_[i];
     const double h = b.start.until(t);
     const V weight = shape(i).mass() * gravity_;
     ledger_.linear.external += h * weight;
     ledger_.angular.external += h * cross<double>(b.motion.state.p_WB, weight);
-    b.motion = find_method("sheet")->step(shape(i), b.motion, {weight, zero3<double>()}, h);
+    b.motion = sheet.step(shape(i), b.motion, {weight, zero3<double>()}, h);
     summary_.finite = summary_.finite && is_finite(b.motion.state);
     b.start = Moment{t, 0};
-    b.calm = met[i] ? 0 : b.calm + 1;
+    b.calm = met_[i] ? 0 : b.calm + 1;
     ++summary_.steps;
+    settle(i);
   }
+  next_step_ = infinity;
+  for (const std::uint32_t i : in) next_step_ = std::min(next_step_, step_after(bodies_[i].start));
   if (!summary_.finite) return;
   // who flies into one of them joins them
-  for (std::size_t j = 0; j < bodies_.size(); ++j) {
-    if (!bodies_[j].flight) continue;
-    const State<double> s = bodies_[j].flight->at(bodies_[j].start.until(t));
-    for (const std::size_t i : in) {
-      const State<double>& other = bodies_[i].motion.state;
-      if (norm<double>(V(other.p_WB - s.p_WB)) > (size(i) + size(j)) / 2 || separation(shape(i), other, shape(j), s).gap > 0) continue;
-      const State<double> there = arrive(j, bodies_[j].start.until(t));
-      hand_over(j, Moment{t, 0}, there, "met a cuboid in the stepper");
-      break;
-    }
+  flown_into_.clear();
+  for (const std::uint32_t i : in) {
+    near(boxes_.box(i), found_);
+    for (const std::uint32_t j : found_)
+      if (bodies_[j].flight) flown_into_.push_back({j, i});
   }
-  for (const std::size_t i : in)
+  std::sort(flown_into_.begin(), flown_into_.end());
+  for (const auto& [j, i] : flown_into_) {
+    if (!bodies_[j].flight) continue;  // it has joined
+    const State<double> s = bodies_[j].flight->at(bodies_[j].start.until(t));
+    const State<double>& other = bodies_[i].motion.state;
+    if (norm<double>(V(other.p_WB - s.p_WB)) > (size(i) + size(j)) / 2 || separation(shape(i), other, shape(j), s).gap > 0) continue;
+    const State<double> there = arrive(j, bodies_[j].start.until(t));
+    hand_over(j, Moment{t, 0}, there, "met a cuboid in the stepper");
+  }
+  for (const std::uint32_t i : in)
     if (bodies_[i].calm >= calm_steps && clear(i)) begin(i, bodies_[i].start, bodies_[i].motion.state);
+  if (stepping_.empty()) next_step_ = infinity;
 }
 
-bool LocatedWorld::clear(std::size_t i) const {
+bool LocatedWorld::clear(std::size_t i) {
   const State<double>& s = bodies_[i].motion.state;
-  for (std::size_t j = 0; j < bodies_.size(); ++j) {
+  near(boxes_.box(std::uint32_t(i)), found_);
+  for (const std::uint32_t j : found_) {
     if (j == i) continue;
     const State<double> other = state_at(bodies_[j], bodies_[i].start.value());
     if (norm<double>(V(other.p_WB - s.p_WB)) <= (size(i) + size(j)) / 2 && separation(shape(i), s, shape(j), other).gap <= 0) return false;

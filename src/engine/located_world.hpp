@@ -1,10 +1,12 @@
 #pragma once
 #include <limits>
 #include <map>
-#include <memory>
+#include <optional>
 #include <rigor/collision/box_box.hpp>
+#include <rigor/collision/box_index.hpp>
 #include <rigor/engine/flight.hpp>
 #include <rigor/engine/located.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,10 +30,13 @@ struct LocatedBody {
   enum class Phase { flying, sliding, resting, stepping };
   Phase phase = Phase::flying;
   Moment start;
-  std::unique_ptr<Flight> flight;  // of every phase but stepping; without spin and with its own acceleration on a plane
+  std::optional<Flight> flight;    // of every phase but stepping; without spin and with its own acceleration on a plane
   int support = -1;                // the plane it slides or rests on
   double next = std::numeric_limits<double>::infinity();          // s after start: when something happens
   bool tangled = false;            // and no impact can be named then
+  std::uint32_t flights = 0;       // how many it has begun; events and meetings of earlier ones are void
+  double looked = 0;               // s after start: until then its box holds it, and who it meets is known
+  double stride = 0;               // m: how far it travels in one box, as experience has it
   Motion motion;                   // stepping: the state at `start`
   int calm = 0;                    // steps in a row in which it met nothing
   bool handed = false;             // to the stepper, and counted
@@ -44,14 +49,28 @@ struct PairEvent {
   bool tangled = false;
 };
 
+/// Something to come. In order of time; of one moment: looks, then cuboids by index, then pairs.
+struct Event {
+  enum class Kind : std::uint8_t { look, own, meeting };
+  Moment at;
+  Kind kind;
+  bool tangled;                    // a meeting that cannot be named
+  std::uint32_t i, j;              // j of a meeting; i otherwise
+  std::uint32_t flight_i, flight_j;
+  friend bool operator>(const Event& a, const Event& b) {
+    return std::tuple(a.at.value(), a.kind, a.i, a.j) > std::tuple(b.at.value(), b.kind, b.i, b.j);
+  }
+};
+
 /// A scene on its way from event to event. Internal to simulate_located; the parts are in located_flight.cpp (planes,
 /// slides, rest), located_pairs.cpp and located_stepper.cpp.
 class LocatedWorld {
  public:
-  LocatedWorld(const Scene& scene, RunSummary& summary, const LocatedObserver& observe_impact);
+  LocatedWorld(const Scene& scene, RunSummary& summary, const LocatedObserver& observe_impact, const Skips& skips);
 
-  /// Time of the next thing that happens: a body's own event, a pair's, a step of the stepper or an action.
-  double next_time() const;
+  /// Time of the next thing that happens: a body's own event, a pair's, a step of the stepper or an action. Looks that are
+  /// due before it are made.
+  double next_time();
   void advance();
 
   std::vector<State<double>> states(double t) const;
@@ -93,15 +112,22 @@ class LocatedWorld {
 
   void fly(std::size_t i, const Moment& now, const State<double>& s, const Vec3<double>& a, int support, LocatedBody::Phase phase, double ends);
 
-  // -- pairs
+  // -- pairs: who may meet is found by boxes that hold a flight for a while, docs/located-impacts.md
 
-  const PairEvent& nearest_event(std::size_t i) const;
-  /// Searches the meetings of body i with everyone, and who each row meets first.
-  void search_partners(std::size_t i);
+  /// Puts body i into a box that holds it for a while from `looked`, and searches its meetings with those whose boxes
+  /// overlap it and who were not searched in these two flights.
+  void look(std::size_t i);
+  /// Everybody whose box overlaps `box`, in order of index; everybody at all where pairs are not skipped.
+  void near(const AxisBox& box, std::vector<std::uint32_t>& found) const;
   PairEvent search_pair(std::size_t i, std::size_t j);
 
+  void push(const Event& event);
+  bool is_void(const Event& event) const;
+  /// Ends the flight of body i: its events are void.
+  void land(std::size_t i);
+
   /// Two cuboids touch now: the manifold's approaching points are hit at their mean, until none approaches.
-  void meet(std::size_t i, std::size_t j);
+  void meet(const Event& event);
   double last_meeting_at(std::size_t i, std::size_t j) const;
   bool hit_pair(std::size_t i, State<double>& a, std::size_t j, State<double>& b, const Separation& apart, double smallest);
 
@@ -109,10 +135,12 @@ class LocatedWorld {
 
   void hand_over(std::size_t i, const Moment& now, const State<double>& s, const char* why);
   /// Steps end at multiples of dt, so that all bodies in the stepper step together.
-  double next_step() const;
+  double step_after(const Moment& start) const;
   void step_all(double t);
+  /// A body in the stepper has moved: where it has left its box it gets a new one, and true is returned.
+  bool settle(std::size_t i);
   /// Not inside a plane or a body that flies: only then can it fly itself.
-  bool clear(std::size_t i) const;
+  bool clear(std::size_t i);
   bool respond(std::size_t i, const Plane<double>& plane);
   bool push_apart(std::size_t i, std::size_t j);
   void moved(std::size_t i, const Vec3<double>& shift);
@@ -123,11 +151,29 @@ class LocatedWorld {
   const LocatedObserver& observe_impact_;
   Ledger& ledger_;
   Vec3<double> gravity_;
+  Skips skips_;
   std::vector<LocatedBody> bodies_;
-  std::vector<PairEvent> pairs_;      // row i, column j > i
-  std::vector<std::size_t> nearest_;  // whom row i meets first; itself: nobody
+  BoxIndex boxes_;
+  std::vector<Event> events_;         // a heap, with events of earlier flights in it
+  std::size_t events_kept_ = 0;       // when those were last thrown out
+  /// Whom a body was searched with, and in which flight of theirs.
+  struct Partner {
+    std::uint32_t body, flight;
+  };
+  struct Partners {
+    std::vector<Partner> known;
+    std::size_t kept = 0;             // when those of earlier flights were last thrown out
+  };
+  void forget_void(Partners& partners) const;
+  std::vector<Partners> partners_;
+  std::vector<std::uint32_t> found_, fresh_;
+  std::vector<bool> known_, met_;
+  std::size_t flying_ = 0;
   std::map<std::pair<std::size_t, std::size_t>, double> last_meeting_;
-  std::size_t stepping_ = 0, next_action_ = 0;
+  std::vector<std::uint32_t> stepping_, step_of_;  // in order of index; of the step on its way
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> flown_into_;
+  double next_step_ = std::numeric_limits<double>::infinity();
+  std::size_t next_action_ = 0;
 };
 
 }  // namespace rigor

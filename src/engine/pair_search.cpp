@@ -122,4 +122,21 @@ PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, d
   }
 }
 
+AxisBox swept_box(const Flight& flight, double radius, double from, double to, double t) {
+  const V &p = flight.start().p_WB, &v = flight.start().v_WB, &a = flight.acceleration();
+  AxisBox box;
+  double places = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto at = [&](double tau) { return p[k] + tau * (v[k] + tau / 2 * a[k]); };
+    const double first = at(from), last = at(to), turns = a[k] == 0 ? from : -v[k] / a[k];
+    box.low[k] = std::fmin(first, last), box.high[k] = std::fmax(first, last);
+    if (from < turns && turns < to) box.low[k] = std::fmin(box.low[k], at(turns)), box.high[k] = std::fmax(box.high[k], at(turns));
+    places += std::fmax(std::fabs(box.low[k]), std::fabs(box.high[k]));
+  }
+  const double late = 8 * u * (std::fabs(t) + to);  // a time in double is off by no more
+  const double reach = radius * 1.001 + 1e-12 * places + late * (norm<double>(v) + (to + late) * norm<double>(a));
+  for (int k = 0; k < 3; ++k) box.low[k] -= reach, box.high[k] += reach;
+  return box;
+}
+
 }  // namespace rigor

@@ -1,4 +1,5 @@
 #pragma once
+#include <rigor/collision/box_index.hpp>
 #include <rigor/engine/flight.hpp>
 
 namespace rigor {
@@ -30,5 +31,10 @@ struct PairContact {
 /// errors    time within rounding of the gap over its rate
 PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, double since_A, const Cuboid<double>& B, const Flight& flight_B,
                               double since_B, double from, double limit);
+
+/// A box along the world's axes that holds the sphere of `radius` around the centre of a flight for τ in [from, to]: by its
+/// parabolas, with a thousandth of the radius and what rounding may do to places and times to spare, so that spheres which
+/// touch in next_pair_contact have boxes that overlap. `t`: the time at which the flight began, s.
+AxisBox swept_box(const Flight& flight, double radius, double from, double to, double t);
 
 }  // namespace rigor

@@ -10,8 +10,8 @@ struct Entry {
   long Ledger::Skips::*left_out, Ledger::Skips::*of;
 };
 constexpr Entry entries[] = {
-    {"pairs", "pairs", "not near each other in that step", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
-    {"planes", "cuboids at planes", "no corner reaches it", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
+    {"pairs", "pairs", "not near each other in that step or flight", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
+    {"planes", "cuboids at planes", "out of reach in that step or flight", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
     {"loads", "sums of forces", "as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
     {"monitors", "accounts after a step", "nobody reads them", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
 };
