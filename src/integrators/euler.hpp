@@ -29,7 +29,18 @@ Motion step_euler_momentum(const Cuboid<double>& body, const Motion& now, const 
 /// The same with fewer operations: ω' = R I_B⁻¹ Rᵀ L', two columns of R + h[ω']ₓ R repaired, the third their cross product.
 /// Order 1; a rotation, never a reflection; without torque L stays the same to the bit.
 Motion step_euler_momentum_cross(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
-/// Without load, many steps at a time.
-Motion fly_euler_momentum(const Cuboid<double>& body, const Motion& now, double h, long steps);
+
+/// The same with R' = R exp(h [I_B⁻¹ RᵀL']ₓ): Euler's method on the group. Order 1; without torque L stays the same to the bit.
+Motion step_euler_momentum_exponential(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
+
+/// Without load, many steps at a time: the spin forms to the bit as step after step, the momentum form to rounding (both of its
+/// ways of repairing R fly by the cross product).
+Motion fly_sheet(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_explicit_euler(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_euler_naive(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_euler_exponential(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_euler_quaternion(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_euler_momentum_cross(const Cuboid<double>& body, const Motion& now, double h, long steps);
+Motion fly_euler_momentum_exponential(const Cuboid<double>& body, const Motion& now, double h, long steps);
 
 }  // namespace rigor

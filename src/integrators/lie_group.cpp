@@ -14,19 +14,6 @@ V spin(const Cuboid<double>& body, const V& L_B) { return L_B.cwiseProduct(body.
 /// L as it is seen in a body turned on by exp(u).
 V seen_after(const V& u, const V& L_B) { return turned_back(exp_quaternion(u), L_B); }
 
-/// Equal steps, each turning by the quaternion that `turn` gives for the L of its beginning.
-template <class Turn>
-Vec4<double> turn_by(const V& L_B, long steps, const Turn& turn) {
-  V L = L_B;
-  Vec4<double> q(1, 0, 0, 0);
-  for (long step = 0; step < steps; ++step) {
-    const Vec4<double> e = turn(L);
-    q = product(q, e);
-    L = turned_back(e, L);
-  }
-  return q;
-}
-
 // The quaternion (1, h ω/2) of the mid-point's spin: Cayley's map. L' = L + h m × ω = 2m − L.
 Vec4<double> implicit_midpoint(const Cuboid<double>& body, const V& L_B, double h, long steps) {
   const V half_turn = h / 2 * body.inverse_inertia();

@@ -16,13 +16,14 @@ Motion motion_of(const Cuboid<double>& body, const State<double>& state) {
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> rows{
-      {"sheet", 1, 1, "", 1, "assignment, Part 1", step_sheet},
-      {"explicit-euler", 1, 1, "", 1, "textbook; gains energy, case D-07", step_explicit_euler},
-      {"euler-naive", 1, 1, "", 1, "assignment, Part 1, before the repair; case K-07", step_euler_naive},
-      {"euler-exponential", 1, 1, "", 1, "Rodrigues' formula in place of the repair", step_euler_exponential},
-      {"euler-quaternion", 1, 1, "", 1, "a quaternion in place of R, made a unit one; case K-08", step_euler_quaternion},
-      {"euler-momentum", 1, 1, "L", 1, "angular momentum as state, case D-08", step_euler_momentum, nullptr, fly_euler_momentum},
-      {"euler-momentum-cross", 1, 1, "L", 1, "angular momentum as state, third column by cross product", step_euler_momentum_cross},
+      {"sheet", 1, 1, "", 1, "assignment, Part 1", step_sheet, nullptr, fly_sheet},
+      {"explicit-euler", 1, 1, "", 1, "textbook; gains energy, case D-07", step_explicit_euler, nullptr, fly_explicit_euler},
+      {"euler-naive", 1, 1, "", 1, "assignment, Part 1, before the repair; case K-07", step_euler_naive, nullptr, fly_euler_naive},
+      {"euler-exponential", 1, 1, "", 1, "Rodrigues' formula in place of the repair", step_euler_exponential, nullptr, fly_euler_exponential},
+      {"euler-quaternion", 1, 1, "", 1, "a quaternion in place of R, made a unit one; case K-08", step_euler_quaternion, nullptr, fly_euler_quaternion},
+      {"euler-momentum", 1, 1, "L", 1, "angular momentum as state, case D-08", step_euler_momentum, nullptr, fly_euler_momentum_cross},
+      {"euler-momentum-cross", 1, 1, "L", 1, "angular momentum as state, third column by cross product", step_euler_momentum_cross, nullptr, fly_euler_momentum_cross},
+      {"euler-momentum-exponential", 1, 1, "L", 1, "angular momentum as state, exponential map; Lie and Euler", step_euler_momentum_exponential, nullptr, fly_euler_momentum_exponential},
       {"rk4", 4, 4, "", 4, "Kutta 1901, on quaternions", step_rk4, step_rk4_under, fly_rk4},
       {"dormand-prince", 5, 5, "", 6, "Dormand and Prince 1980; equal steps", step_dormand_prince, step_dormand_prince_under},
       {"implicit-midpoint", 2, 2, "L, energy", 8, "Lewis and Simo 1994; Cayley's map", step_implicit_midpoint, step_implicit_midpoint_under, fly_implicit_midpoint},

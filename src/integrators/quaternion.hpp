@@ -24,6 +24,19 @@ inline Vec3<double> turned_back(const Vec4<double>& q, const Vec3<double>& x, do
   return Vec3<double>(x - q[0] * t + cross<double>(v, t));
 }
 
+/// Equal steps, each turning by the quaternion that `turn` gives for the L of its beginning.
+template <class Turn>
+Vec4<double> turn_by(const Vec3<double>& L_B, long steps, const Turn& turn) {
+  Vec3<double> L = L_B;
+  Vec4<double> q(1, 0, 0, 0);
+  for (long step = 0; step < steps; ++step) {
+    const Vec4<double> e = turn(L);
+    q = product(q, e);
+    L = turned_back(e, L);
+  }
+  return q;
+}
+
 /// Steps between two normalisations of a quaternion whose length does not matter but must not leave the numbers.
 inline bool is_time_to_normalise(long step) { return step % 16 == 15; }
 inline Vec4<double> normalised(const Vec4<double>& q) { return q / std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }

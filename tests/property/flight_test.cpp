@@ -103,7 +103,7 @@ TEST(MomentumForm, KeepsTheAngularMomentumToTheBit) {
   s.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
   s.w_WB = Vec3<double>(0.1, 5, 0.1);
   const Flight f{box, motion_of(box, s), {}, 0.01};
-  for (const char* name : {"euler-momentum", "euler-momentum-cross"}) EXPECT_EQ(fly(*find_method(name), f, 100000).L_W, f.start.L_W) << name;
+  for (const char* name : {"euler-momentum", "euler-momentum-cross", "euler-momentum-exponential"}) EXPECT_EQ(fly(*find_method(name), f, 100000).L_W, f.start.L_W) << name;
   EXPECT_NE(fly(*find_method("sheet"), f, 100).L_W, f.start.L_W);  // the comparison can fail
 }
 

@@ -22,7 +22,7 @@ TEST(GridConvergence, ReproducesTheWorkedExample) {
 // flights up to T = 10 first order needs more than 1e5 steps before it is asymptotic.
 TEST(Order, OfThePlainStepperIsOne) {
   for (const char* problem : {"short-A", "forced"})
-    for (const char* name : {"sheet", "explicit-euler", "euler-exponential", "euler-momentum", "euler-momentum-cross"}) {
+    for (const char* name : {"sheet", "explicit-euler", "euler-exponential", "euler-momentum", "euler-momentum-cross", "euler-momentum-exponential"}) {
       const Ladder l = converge(*find_problem(problem), *find_method(name), 100, 6);
       EXPECT_NEAR(l.order, 1, 0.1) << problem << " " << name;
       EXPECT_GE(l.used, 3);

@@ -74,7 +74,7 @@ TEST(Orders, WhatIsConservedIsConserved) {
 // A method is right at any step, forwards and backwards: symmetric ones come back to where they began.
 TEST(Orders, SymmetricMethodsAreReversible) {
   const Problem& problem = *find_problem("case-A");
-  const std::set<std::string_view> not_symmetric{"sheet", "explicit-euler", "euler-naive", "euler-exponential", "euler-quaternion", "euler-momentum", "euler-momentum-cross", "rk4", "dormand-prince", "buss-augmented", "rkmk4", "commutator-free4", "taylor16"};
+  const std::set<std::string_view> not_symmetric{"sheet", "explicit-euler", "euler-naive", "euler-exponential", "euler-quaternion", "euler-momentum", "euler-momentum-cross", "euler-momentum-exponential", "rk4", "dormand-prince", "buss-augmented", "rkmk4", "commutator-free4", "taylor16"};
   for (const Method& method : every_method()) {
     Motion m = motion_of(problem.body, problem.start);
     for (int k = 0; k < 100; ++k) m = method.step(problem.body, m, {}, 0.02);
