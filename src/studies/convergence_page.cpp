@@ -40,13 +40,25 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
     report::Plot plot{"Attitude error against step: " + problem.name, "step h, s", "attitude error at the end, rad", true, true, {}};
     Table fitted{"order, fitted over the asymptotic window (errors below 0.1, and above 300 times the smallest where that is rounding); points used, left out as too coarse, left out as at the floor",
                  {"method", "stated", "attitude", "L", "energy", "position", "used", "coarse", "floor"}, {}, 1};
-    Table last{"errors at the finest step", {"method", "h, s", "attitude, rad", "L", "energy", "position, m"}, {}, 1};
+    const std::vector<std::string> errors{"attitude, rad", "L", "energy", "position, m"};
+    Table last{"errors at the finest step", {"method", "h, s"}, {}, 1};
+    Table without{"ways without a step: errors by tolerance, or of the closed form", {"method", "tolerance"}, {}, 1};
+    for (Table* t : {&last, &without}) t->header.insert(t->header.end(), errors.begin(), errors.end());
     Table pairs{"order from one step to its half (attitude)", {"method"}, {}, 1};
     Table gci{"three systematically refined results (ASME V&V 20): one entry of the attitude at the end, extrapolated (Richardson); the grid convergence index says how far off the finest is; near 1: asymptotic",
               {"method", "steps", "order", "finest", "extrapolated", "its true error", "GCI, finest", "true error, finest", "near 1"}, {}, 1};
     for (const Group& g : by_method(problem.rows)) {
+      const auto errors_line = [](const Row& row, const std::string& setting) {
+        std::vector<std::string> line{row.cell.method, setting};
+        for (const auto& [name, heading] : quantities) line.push_back(brief(row.at(name)));
+        return line;
+      };
+      if (g.rows[0]->cell.steps == 0) {  // no step to have an order in
+        for (const Row* row : g.rows) without.rows.push_back(errors_line(*row, row->cell.tolerance > 0 ? brief(row->cell.tolerance, "%.0e") : "-"));
+        continue;
+      }
       Steps ladder;
-      for (const Row* row : g.rows) ladder.h.push_back(row->cell.steps > 0 ? until / double(row->cell.steps) : row->cell.tolerance);
+      for (const Row* row : g.rows) ladder.h.push_back(until / double(row->cell.steps));
       report::Series series{g.name, ladder.h, ladder.of(g, "attitude")};
       plot.series.push_back(series);
       const Method* method = find_stepper(g.name);
@@ -57,9 +69,7 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
       const Fit fit = fit_order(ladder.h, ladder.of(g, "attitude"));
       for (const int n : {fit.used, fit.too_coarse, fit.at_floor}) line.push_back(std::to_string(n));
       fitted.rows.push_back(line);
-      line = {g.name, brief(ladder.h.back(), "%.3g")};
-      for (const auto& [name, heading] : quantities) line.push_back(brief(g.rows.back()->at(name)));
-      last.rows.push_back(line);
+      last.rows.push_back(errors_line(*g.rows.back(), brief(ladder.h.back(), "%.3g")));
       line = {g.name};
       for (std::size_t i = 1; i < g.rows.size(); ++i) {
         if (pairs.header.size() < g.rows.size()) pairs.header.push_back(std::to_string(g.rows[i - 1]->cell.steps) + "-" + std::to_string(g.rows[i]->cell.steps));
@@ -75,8 +85,9 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
       }
     }
     for (auto& row : pairs.rows) row.resize(pairs.header.size(), "");
-    s.plots = {plot};
-    s.tables = {fitted, last, pairs, gci};
+    if (!plot.series.empty()) s.plots = {plot};
+    for (const Table& t : {fitted, last, without, pairs, gci})
+      if (!t.rows.empty()) s.tables.push_back(t);
     page.sections.push_back(s);
   }
   return page;

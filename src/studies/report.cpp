@@ -43,6 +43,15 @@ std::string columns_text(const Table& t) {
     widths.push_back(w);
     all += w + 1;
   }
+  if (t.words >= t.header.size() && all > terminal) {  // sentences: an item a row
+    std::string items;
+    for (const auto& row : t.rows) {
+      std::string item = "- ";
+      for (std::size_t i = 0; i < row.size(); ++i) item += (i > 0 ? ", " : "") + t.header[i] + " " + row[i];
+      items += item + "\n";
+    }
+    return report::filled(items, terminal, margin);
+  }
   const std::size_t gap = all <= terminal + 1 && all + widths.size() > terminal + 2 ? 1 : 2, words = std::min(t.words, widths.size());
   std::string out;
   for (std::size_t first = words, last; first < widths.size() || first == words; first = last) {

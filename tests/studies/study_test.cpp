@@ -281,6 +281,46 @@ TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
   }
 }
 
+// A way without steps has no step: it is not on the ladder's plot, and has no order.
+TEST(Pages, GiveNoStepToAWayThatHasNone) {
+  StudyRequest r{"convergence", {"short-A"}, {"rk4", "exact", "cvode-adams"}};
+  r.coarsest = 10;
+  r.rungs = 4;
+  r.tolerances = {1e-6, 1e-9};
+  std::vector<Row> rows;
+  const auto cells = *plan(r);
+  for (const Cell& cell : cells) rows.push_back(fly(cell));
+  const Section s = convergence_page(rows).sections[0];
+  ASSERT_EQ(s.plots.size(), 1u);
+  ASSERT_EQ(s.plots[0].series.size(), 1u);
+  EXPECT_EQ(s.plots[0].series[0].name, "rk4");
+  const auto named = [&](const std::string& caption) {
+    return *std::find_if(s.tables.begin(), s.tables.end(), [&](const Table& t) { return t.caption.rfind(caption, 0) == 0; });
+  };
+  EXPECT_EQ(named("errors at the finest step").rows.size(), 1u);
+  const Table without = named("ways without a step");
+  ASSERT_EQ(without.rows.size(), 3u);
+  EXPECT_EQ(without.rows[0][1], "-");
+  EXPECT_EQ(without.rows[1][1], "1e-06");
+  EXPECT_EQ(without.rows[2][1], "1e-09");
+  std::vector<Row> alone;
+  for (const Row& row : rows)
+    if (row.cell.method == "exact") alone.push_back(row);
+  const Section closed = convergence_page(alone).sections[0];
+  EXPECT_TRUE(closed.plots.empty());
+  EXPECT_EQ(closed.tables.size(), 1u);
+}
+
+// Why a run failed fits the terminal, however much there is to say.
+TEST(Pages, FoldWhyARunFailed) {
+  Row row{{"convergence", "short-A", "submission someone-with-a-long-name 0123456789abcdef", 50}, {}, "", ""};
+  row.failed = "unsupported: the function 'update' of the submission returned a matrix that is no rotation, off by 0.25, after 17 of 50 steps";
+  const std::string text = page_text(study_page("convergence", {row}, "x"));
+  EXPECT_NE(text.find("after 17"), std::string::npos);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
 // Every error has its cheapest run, and a failed run is a row without numbers.
 TEST(Pages, SayWhichMethodForWhichError) {
   const auto row = [](const char* method, double error, double time) {
