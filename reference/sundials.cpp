@@ -1,7 +1,7 @@
 #include <cstdio>
 // arkode's headers use FILE without including it
 #include <arkode/arkode_arkstep.h>
-#include <cvode/cvode.h>
+#include <cvodes/cvodes.h>  // CVODE and its sensitivities: the two libraries share their names, a program links one of them
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
@@ -32,9 +32,14 @@ std::span<double> view(N_Vector v) { return {N_VGetArrayPointer(v), std::size_t(
 struct User {
   const Rhs* f;
   const std::function<double(double, std::span<const double>)>* g = nullptr;
+  const Tangent* df = nullptr;
 };
 int call_rhs(realtype t, N_Vector y, N_Vector dy, void* user) {
   (*static_cast<User*>(user)->f)(t, view(y), view(dy));
+  return 0;
+}
+int call_tangent(int, realtype t, N_Vector y, N_Vector, int, N_Vector s, N_Vector ds, void* user, N_Vector, N_Vector) {
+  (*static_cast<User*>(user)->df)(t, view(y), view(s), view(ds));
   return 0;
 }
 int call_root(realtype t, N_Vector y, realtype* out, void* user) {
@@ -76,6 +81,7 @@ class CvodeRun {
   ~CvodeRun() {
     CVodeFree(&memory_);
     if (nonlinear_ != nullptr) SUNNonlinSolFree(nonlinear_);
+    if (of_changes_ != nullptr) SUNNonlinSolFree(of_changes_);
     if (linear_ != nullptr) SUNLinSolFree(linear_);
     if (matrix_ != nullptr) SUNMatDestroy(matrix_);
   }
@@ -86,6 +92,28 @@ class CvodeRun {
     CVodeRootInit(memory_, 1, call_root);
     int falling = -1;  // approaching only
     CVodeSetRootDirection(memory_, &falling);
+  }
+  /// Beside y its changes with something that it began with; their errors are controlled as y's.
+  void carry(const Tangent& df, const std::vector<std::vector<double>>& s0, double tolerance) {
+    user_.df = &df;
+    for (const auto& s : s0) {
+      changes_.push_back(vector_of(s, context_));
+      raw_changes_.push_back(changes_.back().get());
+    }
+    const int n = int(s0.size());
+    std::vector<double> absolute(s0.size(), tolerance);
+    CVodeSensInit1(memory_, n, CV_SIMULTANEOUS, call_tangent, raw_changes_.data());
+    CVodeSensSStolerances(memory_, tolerance, absolute.data());
+    CVodeSetSensErrCon(memory_, SUNTRUE);
+    of_changes_ = SUNNonlinSol_FixedPointSens(n + 1, y_.get(), 0, context_);
+    CVodeSetNonlinearSolverSensSim(memory_, of_changes_);
+  }
+  std::vector<std::vector<double>> changes() {
+    realtype t;
+    CVodeGetSens(memory_, &t, raw_changes_.data());
+    std::vector<std::vector<double>> out;
+    for (N_Vector s : raw_changes_) out.emplace_back(view(s).begin(), view(s).end());
+    return out;
   }
   int advance(double t1) {
     CVodeSetStopTime(memory_, t1);
@@ -106,7 +134,9 @@ class CvodeRun {
   User user_;
   Vector y_;
   void* memory_ = nullptr;
-  SUNNonlinearSolver nonlinear_ = nullptr;
+  SUNNonlinearSolver nonlinear_ = nullptr, of_changes_ = nullptr;
+  std::vector<Vector> changes_;
+  std::vector<N_Vector> raw_changes_;
   SUNLinearSolver linear_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   realtype t_ = 0;
@@ -176,6 +206,16 @@ Outcome<Solution> cvode(const Rhs& f, std::vector<double> y0, double t0, double 
   return run.solution();
 }
 
+Outcome<Sensitivity> cvodes(const Rhs& f, const Tangent& df, std::vector<double> y0, std::vector<std::vector<double>> s0, double t0, double t1, double tolerance) {
+  if (const auto bad = bad_tolerance(tolerance)) return *bad;
+  if (t1 == t0) return Sensitivity{std::move(y0), std::move(s0)};
+  CvodeRun run(f, y0, t0, tolerance, Cvode::adams);
+  run.carry(df, s0, tolerance);
+  const int code = run.advance(t1);
+  if (code < 0) return failed("CVODE", code);
+  return Sensitivity{run.solution().y, run.changes()};
+}
+
 Outcome<Solution> arkstep(const Rhs& f, std::vector<double> y0, double t0, double t1, double tolerance, ErkTable table) {
   if (const auto bad = bad_tolerance(tolerance)) return *bad;
   return run_arkstep(f, y0, t0, t1, tolerance, 0, table);
@@ -224,6 +264,28 @@ Rhs free_body_rhs(const Vec3<double>& I) {
     d[5] = 0.5 * (y[3] * w + y[6] * x - y[4] * z);
     d[6] = 0.5 * (y[3] * z + y[4] * w - y[5] * x);
   };
+}
+
+Outcome<Mat3<double>> cvodes_turn_by_spin(const FreeBody& body, double t, double tolerance) {
+  const Rhs f = free_body_rhs(body.I_B);
+  // the law is a quadratic form, f(y) = b(y, y): its change along s is b(y, s) + b(s, y) = (f(y + s) - f(y - s))/2
+  const Tangent df = [&f](double at, std::span<const double> y, std::span<const double> s, std::span<double> ds) {
+    double more[7], less[7], f_less[7];
+    for (std::size_t i = 0; i < 7; ++i) more[i] = y[i] + s[i], less[i] = y[i] - s[i];
+    f(at, more, ds);
+    f(at, less, f_less);
+    for (std::size_t i = 0; i < 7; ++i) ds[i] = (ds[i] - f_less[i]) / 2;
+  };
+  const auto end = cvodes(f, df, initial(body), {{1, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0, 0}}, 0, t, tolerance);
+  if (!end) return end.fault();
+  const double* q = end->y.data() + 3;
+  Mat3<double> turn;
+  for (int i = 0; i < 3; ++i) {  // 2 (dq q*) of quaternions, its vector part
+    const double* d = end->dy[std::size_t(i)].data() + 3;
+    const Vec3<double> v(q[1], q[2], q[3]), dv(d[1], d[2], d[3]);
+    turn.col(i) = body.R_WB * Vec3<double>(2 * (q[0] * dv - d[0] * v + cross<double>(v, dv)));
+  }
+  return turn;
 }
 
 Outcome<Attitude<double>> cvode_free_body(const FreeBody& body, double t, double tolerance, Cvode kind) {

@@ -24,6 +24,17 @@ enum class Cvode { adams, bdf };
 /// Faults: unsupported, with SUNDIALS' own words, when the integration fails; out_of_range for a tolerance below 1e-15.
 Outcome<Solution> cvode(const Rhs& f, std::vector<double> y0, double t0, double t1, double tolerance, Cvode kind = Cvode::adams);
 
+/// How f changes along s: ds = (∂f/∂y) s.
+using Tangent = std::function<void(double t, std::span<const double> y, std::span<const double> s, std::span<double> ds)>;
+/// The end, and how it changes with each thing that the start depends on.
+struct Sensitivity {
+  std::vector<double> y;
+  std::vector<std::vector<double>> dy;
+};
+/// CVODES, forward sensitivities by Adams: y, and s' = (∂f/∂y) s from every s0, with the errors of all controlled together. Relative
+/// error of the changes on the free body: 1e-11 at tolerance 1e-14 (tests/reference). Faults as cvode.
+Outcome<Sensitivity> cvodes(const Rhs& f, const Tangent& df, std::vector<double> y0, std::vector<std::vector<double>> s0, double t0, double t1, double tolerance);
+
 /// ARKODE through ARKStep, explicit. Never through ERKStep: in 6.4.1 it reuses the last stage as the first of the next
 /// step whenever c_s = 1, which costs the order (tests/reference shows it).
 enum class ErkTable {
@@ -47,5 +58,8 @@ Outcome<Event> first_fall(const Rhs& f, const std::function<double(double, std::
 Rhs free_body_rhs(const Vec3<double>& I_B);
 Outcome<Attitude<double>> cvode_free_body(const FreeBody& body, double t, double tolerance, Cvode kind = Cvode::adams);
 Outcome<Attitude<double>> arkstep_free_body(const FreeBody& body, double t, double tolerance, ErkTable table = ErkTable::fehlberg_13_7_8);
+
+/// How the attitude at t turns with the spin at the start: δR_WB = [turn δw_B]ₓ R_WB, the turn in world axes, by CVODES. Units: s.
+Outcome<Mat3<double>> cvodes_turn_by_spin(const FreeBody& body, double t, double tolerance);
 
 }  // namespace rigor::reference
