@@ -48,7 +48,7 @@ Json answer(int count, char** words) {
     End end{};
     long evaluations = 0;
     double spent = 0;
-    for (int k = 0; k < 8 && (k < 3 || spent < 1.5); ++k) {  // the first warms up
+    for (int k = 0; k < 8 && (k < 3 || spent < 0.5); ++k) {  // the first warms up
       const auto world = v.make(flight, long(x[0]), x[1]);
       const double c = studies::cpu_seconds(), w = studies::wall_seconds();
       world->run();
