@@ -4,14 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <reference/sundials.hpp>
 #include <reference/taylor.hpp>
-#include <rigor/base/promise.hpp>
 #include <rigor/base/suggest.hpp>
-#include <rigor/formulas/world_inertia.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scene/scene.hpp>
 #include <rigor/studies/cell.hpp>
+#include <rigor/studies/loaded.hpp>
 #include <rigor/studies/problem.hpp>
 
 namespace rigor::studies {
@@ -52,56 +50,9 @@ Problem thrown(double until) {
   return p;
 }
 
-// case F-01: x = F t²/2m and the angle τ t²/2I about the axis, from rest.
-Problem pushed(double until) {
-  Problem p{"f-01", "case F-01: a cuboid 1 x 2 x 3 m, 2 kg, from rest under F = (1, -2, 0.5) N and a torque of 0.75 N m about its third axis",
-            "closed form: x = F t^2/2m, angle tau t^2/2I; own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
-  const V f(1, -2, 0.5), tau(0, 0, 0.75);
-  p.load = [=](double, const State<double>&) { return Load{f, tau}; };
-  p.end.v_WB = until / p.body.mass() * f;
-  p.end.p_WB = until / 2 * p.end.v_WB;
-  p.end.w_WB = V(0, 0, tau[2] * p.body.inverse_inertia()[2] * until);
-  p.end.R_WB = exp_so3<double>(V(until / 2 * p.end.w_WB));
-  return p;
-}
-
-// Gravity and a torque that changes in time: every term is active. Reference: CVODE on (p, v, q, L).
-Problem forced(double until) {
-  Problem p{"forced", "a cuboid 1 x 2 x 3 m, 1 kg, under F = (sin t, -1, cos 2t) N and torque (cos t, sin 2t, 1/2) N m",
-            "CVODE Adams at tolerance 1e-14, own error about 1e-12", cuboid(1, {1, 2, 3}), {}, nullptr, until, {}};
-  p.start.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
-  p.start.w_WB = V(0.3, 1, -0.4);
-  p.start.v_WB = V(1, 0, -1);
-  const auto force = [](double t) { return V(std::sin(t), -1, std::cos(2 * t)); };
-  const auto torque = [](double t) { return V(std::cos(t), std::sin(2 * t), 0.5); };
-  p.load = [=](double t, const State<double>&) { return Load{force(t), torque(t)}; };
-  const Cuboid<double> body = p.body;
-  const reference::Rhs rhs = [=](double t, std::span<const double> y, std::span<double> d) {
-    const Mat3<double> R = rotation_of<double>(Vec4<double>(y[6], y[7], y[8], y[9]));
-    const V L(y[10], y[11], y[12]), L_B = R.transpose() * L, w = R * L_B.cwiseProduct(body.inverse_inertia()), f = force(t), tau = torque(t);
-    for (std::size_t i = 0; i < 3; ++i) d[i] = y[3 + i], d[3 + i] = f[int(i)] / body.mass(), d[10 + i] = tau[int(i)];
-    d[6] = -0.5 * (w[0] * y[7] + w[1] * y[8] + w[2] * y[9]);  // q' = (0, w) q / 2, w in world axes
-    d[7] = 0.5 * (w[0] * y[6] + w[1] * y[9] - w[2] * y[8]);
-    d[8] = 0.5 * (w[1] * y[6] + w[2] * y[7] - w[0] * y[9]);
-    d[9] = 0.5 * (w[2] * y[6] + w[0] * y[8] - w[1] * y[7]);
-  };
-  const Vec4<double> q = quaternion_of<double>(p.start.R_WB);
-  const V L = motion_of(p.body, p.start).L_W;
-  const auto end = reference::cvode(rhs, {0, 0, 0, 1, 0, -1, q[0], q[1], q[2], q[3], L[0], L[1], L[2]}, 0, p.until, 1e-14);
-  promise(bool(end), "CVODE solves the forced problem of the catalogue");
-  const std::vector<double>& y = end->y;
-  p.end.p_WB = V(y[0], y[1], y[2]);
-  p.end.v_WB = V(y[3], y[4], y[5]);
-  p.end.R_WB = rotation_of<double>(Vec4<double>(y[6], y[7], y[8], y[9]));
-  const V L_B = apply_transposed<double>(p.end.R_WB, V(y[10], y[11], y[12]));
-  p.end.w_WB = apply<double>(p.end.R_WB, V(L_B.cwiseProduct(p.body.inverse_inertia())));
-  return p;
-}
-
 double kinetic(const Problem& p, const State<double>& s) {
   return (p.body.mass() * dot<double>(s.v_WB, s.v_WB) + dot<double>(s.w_WB, motion_of(p.body, s).L_W)) / 2;
 }
-
 
 struct Recipe {
   const char* name;
@@ -131,9 +82,21 @@ constexpr Recipe recipes[] = {
     {"fb-05", 10, [](const std::string& name, double until) {
        return free_flight(name, "case FB-05, the public box: 0.1 x 0.4 x 0.9 m, 10 kg, spin (0.1, 5, 0.1) rad/s", cuboid(10, {0.1, 0.4, 0.9}), V(0.1, 5, 0.1), until);
      }},
+    {"fb-07", 10, [](const std::string& name, double until) {
+       // I in the ratio 20 : 17 : 5: L^2 = 2 E I2 where w1 = w3
+       return free_flight(name, "case FB-07, on the separatrix: a cuboid 1 x 2 x 4 m, 12 kg, spin (0.75, 1, 0.75) rad/s from the attitude 1; it settles on the unstable axis", cuboid(12, {1, 2, 4}), V(0.75, 1, 0.75), until,
+                          identity3<double>());
+     }},
     {"thrown", 2, [](const std::string&, double until) { return thrown(until); }},
-    {"f-01", 2, [](const std::string&, double until) { return pushed(until); }},
-    {"forced", 2, [](const std::string&, double until) { return forced(until); }},
+    {"f-01", 2, constant_push},
+    {"f-02", 2, axial_torque},
+    {"f-03", 3, springs},
+    {"f-04", 3, drag},
+    {"f-05", 4, lagrange_top},
+    {"f-06", 4, kovalevskaya_top},
+    {"f-07", 4, goryachev_top},
+    {"f-08", 2, chosen_motion},
+    {"forced", 2, changing_load},
 };
 
 Outcome<Problem> from_scene(const std::string& path, double until) {
