@@ -61,12 +61,12 @@ TEST(PositionalCorrection, MovesASmallDepthToo) {
   EXPECT_EQ(positional_correction<Q>(Q(1, 1000), n), Vec3<Q>(Q(1, 1000) * n));
 }
 
-// Zero slip is judged at 16 u of the velocity: a tangential part a tenth above gives a direction, a tenth below gives none.
+// Zero slip is judged at 16 u of the velocity: a tangential part of 16.5 u gives a direction, one of 15.5 u none.
 TEST(FrictionTangent, CountsSixteenRoundingsOfTheVelocityAsNoSlip) {
   const Vec3<double> n(0, 1, 0), none = zero3<double>();
-  const double threshold = 16 * 0x1p-53;
-  EXPECT_EQ(friction_tangent<double>(Vec3<double>(1.1 * threshold, 1, 0), none, n), Vec3<double>(1, 0, 0));
-  EXPECT_EQ(friction_tangent<double>(Vec3<double>(0.9 * threshold, 1, 0), none, n), none);
+  const double u = 0x1p-53;
+  EXPECT_EQ(friction_tangent<double>(Vec3<double>(16.5 * u, 1, 0), none, n), Vec3<double>(1, 0, 0));
+  EXPECT_EQ(friction_tangent<double>(Vec3<double>(15.5 * u, 1, 0), none, n), none);
 }
 
 // A velocity along n has none, whatever the axes: rounding leaves up to 7.5 u of it across (2e7 draws; more than 4 u in 3 of 1000).
