@@ -13,13 +13,13 @@ std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(const std::vector<Vec3<double>>& centres, const std::vector<double>& radii, double margin) {
+const NearPairs::Pairs& NearPairs::find(const std::vector<Vec3<double>>& centres, const std::vector<double>& radii, double margin) {
   const std::size_t n = centres.size();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  pairs_.clear();
   const auto offer = [&](std::uint32_t i, std::uint32_t j) {
     const Vec3<double> d = centres[i] - centres[j];
     const double reach = radii[i] + radii[j] + margin;
-    if (!(dot<double>(d, d) > reach * reach)) pairs.push_back(std::minmax(i, j));
+    if (!(dot<double>(d, d) > reach * reach)) pairs_.push_back(std::minmax(i, j));
   };
   double largest = 0;
   for (const double r : radii) largest = std::fmax(largest, r);
@@ -27,11 +27,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(const std::vecto
   if (n < 16 || !(cell > 0) || !std::all_of(centres.begin(), centres.end(), [](const Vec3<double>& c) { return c.allFinite(); })) {
     for (std::uint32_t i = 0; i < n; ++i)
       for (std::uint32_t j = i + 1; j < n; ++j) offer(i, j);
-    return pairs;
+    return pairs_;
   }
 
   const auto place = [&](double x) { return std::int64_t(std::clamp(std::floor(x / cell), -farthest, farthest - 1)); };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> cells(n);
+  auto& cells = cells_;
+  cells.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) cells[i] = {key(place(centres[i][0]), place(centres[i][1]), place(centres[i][2])), i};
   std::sort(cells.begin(), cells.end());
   for (std::size_t at = 0; at < n; ++at) {
@@ -43,8 +44,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(const std::vecto
       for (auto it = std::lower_bound(cells.begin() + std::ptrdiff_t(at), cells.end(), std::pair{low, std::uint32_t(0)}); it != cells.end() && it->first <= low + 2; ++it) offer(i, it->second);
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  std::sort(pairs_.begin(), pairs_.end());
+  return pairs_;
 }
 
 }  // namespace rigor

@@ -69,10 +69,10 @@ bool LocatedWorld::is_void(const Event& event) const {
   return bodies_[event.i].flights != event.flight_i || bodies_[event.j].flights != event.flight_j;
 }
 
-std::vector<State<double>> LocatedWorld::states(double t) const {
-  std::vector<State<double>> all;
-  for (const LocatedBody& b : bodies_) all.push_back(state_at(b, t));
-  return all;
+const std::vector<State<double>>& LocatedWorld::states(double t) {
+  shown_.clear();
+  for (const LocatedBody& b : bodies_) shown_.push_back(state_at(b, t));
+  return shown_;
 }
 
 void LocatedWorld::finish(double t) {

@@ -73,7 +73,8 @@ class LocatedWorld {
   double next_time();
   void advance();
 
-  std::vector<State<double>> states(double t) const;
+  /// Kept until the next call.
+  const std::vector<State<double>>& states(double t);
   void finish(double t);
 
  private:
@@ -174,6 +175,7 @@ class LocatedWorld {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flown_into_;
   double next_step_ = std::numeric_limits<double>::infinity();
   std::size_t next_action_ = 0;
+  std::vector<State<double>> shown_;
 };
 
 }  // namespace rigor

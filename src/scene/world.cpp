@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <rigor/base/promise.hpp>
 #include <rigor/collision/box_box.hpp>
 #include <rigor/collision/handed_out_pair.hpp>
-#include <rigor/collision/near_pairs.hpp>
 #include <rigor/contact/plane_response.hpp>
 #include <rigor/formulas/momentum.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -19,6 +19,7 @@ World::World(Scene scene, ImpactObserver on_impact)
   promise(method_ != nullptr, "a checked scene names a method");
   for (const SceneBody& b : scene_.bodies) motions_.push_back(motion_of(b.shape, b.start));
   for (const SceneBody& b : scene_.bodies) reach_.push_back(norm<double>(b.shape.size()) / 2 + 0.01);
+  if (!reach_.empty()) margin_ = *std::max_element(reach_.begin(), reach_.end()) / 4;
   loads_.resize(motions_.size());
   vacuum_.assign(motions_.size(), Wrench<double>{});
   gravity_ = scene_.gravity;
@@ -39,10 +40,10 @@ void World::step(double t, double h) {
   else audit();
 }
 
-std::vector<State<double>> World::states() const {
-  std::vector<State<double>> all;
-  for (const Motion& m : motions_) all.push_back(m.state);
-  return all;
+const std::vector<State<double>>& World::states() const {
+  shown_.clear();
+  for (const Motion& m : motions_) shown_.push_back(m.state);
+  return shown_;
 }
 bool World::finite() const {
   for (const Motion& m : motions_)
@@ -148,31 +149,48 @@ void World::against_plane(std::size_t i, const Plane<double>& plane) {
   motions_[i] = motion_of(shape(i), s);
   ledger_.angular.external += cross<double>(s.p_WB, push) + motions_[i].L_W - motion_of(shape(i), before).L_W;
 }
-// Every pair i < j in order; those far apart are left out. Position corrections may bring bodies nearer while the pairs are
-// gone through: the margin allows for that, and where it does not suffice the rest of the step looks at everybody.
+// Every pair i < j in order; those far apart are left out. Who is near was found with a margin to spare: it is found anew when
+// somebody has gone half of what two may share of it. Position corrections may bring bodies nearer while the pairs are gone
+// through; where the margin does not suffice the rest of the step looks at everybody.
 void World::pairs() {
   const std::size_t n = motions_.size();
   ledger_.skips.pairs_of += long(n) * (long(n) - 1) / 2;
   std::size_t i = 0, j = 0;
   if (skips_.pairs) {
-    std::vector<V> centres;
-    for (const Motion& m : motions_) centres.push_back(m.state.p_WB);
-    const double margin = n == 0 ? 0 : *std::max_element(reach_.begin(), reach_.end()) / 4;
-    const auto near = near_pairs(centres, reach_, margin);
+    double gone = strayed();
+    if (!(4 * gone <= margin_)) {
+      seen_at_.clear();
+      for (const Motion& m : motions_) seen_at_.push_back(m.state.p_WB);
+      near_.find(seen_at_, reach_, margin_);
+      gone = 0;
+    }
     shifted_.assign(n, 0);
     worst_shift_ = 0;
+    const NearPairs::Pairs& near = near_.found();
     std::size_t looked = 0;
-    for (; looked < near.size() && 2 * worst_shift_ <= margin; ++looked) {
+    for (; looked < near.size() && 2 * (gone + worst_shift_) <= margin_; ++looked) {
       i = near[looked].first, j = near[looked].second;
       against_each_other(i, j);
     }
-    if (2 * worst_shift_ <= margin) {
+    if (2 * (gone + worst_shift_) <= margin_) {
       ledger_.skips.pairs += long(n) * (long(n) - 1) / 2 - long(near.size());
       return;
     }
   }
   for (; i < n; ++i, j = i)
     for (j = j < i ? i + 1 : j + 1; j < n; ++j) against_each_other(i, j);
+}
+// How far anybody is from where he was when near_ was found, m; NaN where nothing was found yet or a centre is no number.
+double World::strayed() const {
+  if (seen_at_.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double farthest = 0;
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const V d = motions_[i].state.p_WB - seen_at_[i];
+    const double squared = dot<double>(d, d);
+    farthest = squared > farthest || squared != squared ? squared : farthest;
+    if (farthest != farthest) break;
+  }
+  return std::sqrt(farthest);
 }
 void World::against_each_other(std::size_t i, std::size_t j) {
   const State<double>&a = motions_[i].state, &b = motions_[j].state;

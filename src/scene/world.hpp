@@ -2,6 +2,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <rigor/collision/near_pairs.hpp>
 #include <rigor/contact/impact.hpp>
 #include <rigor/formulas/force_sum.hpp>
 #include <rigor/integrators/method.hpp>
@@ -28,7 +29,8 @@ class World {
   /// Forces; every cuboid against every plane; every pair i < j; then every cuboid advances by h seconds from t.
   void step(double t, double h);
 
-  std::vector<State<double>> states() const;
+  /// The states of all, in scene order; kept until the next call.
+  const std::vector<State<double>>& states() const;
   bool finite() const;
   const Ledger& ledger() const { return ledger_; }
   const Scene& scene() const { return scene_; }
@@ -64,6 +66,7 @@ class World {
   void move(std::size_t i, const Vec3<double>& shift);
   void against_plane(std::size_t i, const Plane<double>& plane);
   void pairs();
+  double strayed() const;
   void against_each_other(std::size_t i, std::size_t j);
   void advance(std::size_t i, double h);
   double potential() const;
@@ -86,8 +89,12 @@ class World {
   Skips skips_;
   bool steady_ = false;  // loads_ hold gravity and vacuum as they are now, and nothing else
   std::vector<double> reach_;  // of each cuboid: half its diagonal and 0.01 m
+  double margin_ = 0;            // m: near_ are those who come within it of touching
+  NearPairs near_;
+  std::vector<Vec3<double>> seen_at_;  // centres when near_ was found
   std::vector<double> shifted_;  // by position corrections since `pairs` began, m
   double worst_shift_ = 0;
+  mutable std::vector<State<double>> shown_;
   Ledger ledger_;
 };
 

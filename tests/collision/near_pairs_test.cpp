@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = NearPairs::Pairs;
 
 Pairs all_pairs(const std::vector<Vec3<double>>& c, const std::vector<double>& r, double margin) {
   Pairs pairs;
@@ -22,6 +22,7 @@ Pairs all_pairs(const std::vector<Vec3<double>>& c, const std::vector<double>& r
 TEST(NearPairs, AreThoseOfAllPairs) {
   std::mt19937_64 random(7);
   const auto in = [&](double low, double high) { return low + (high - low) * (double(random() >> 11) * 0x1p-53); };
+  NearPairs near;  // one for all, so that nothing of one world may be left for the next
   for (int world = 0; world < 400; ++world) {
     const std::size_t n = 1 + random() % 150;
     const double spread = std::exp(in(-2, 6)), away = world % 5 == 0 ? 1e9 : 0, margin = world % 3 == 0 ? 0 : in(0, 1);
@@ -31,7 +32,7 @@ TEST(NearPairs, AreThoseOfAllPairs) {
       c.push_back(Vec3<double>(away + in(-spread, spread), world % 4 == 0 ? 0 : in(-spread, spread), in(-spread, spread)));
       r.push_back(k == 0 && world % 7 == 0 ? spread / 2 : in(0.1, 1));
     }
-    const Pairs found = near_pairs(c, r, margin), want = all_pairs(c, r, margin);
+    const Pairs found = near.find(c, r, margin), want = all_pairs(c, r, margin);
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     EXPECT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end()) << "none twice";
     EXPECT_TRUE(std::includes(found.begin(), found.end(), want.begin(), want.end())) << "world " << world;
@@ -43,7 +44,7 @@ TEST(NearPairs, OfWhatIsNotFiniteAreAll) {
   std::vector<Vec3<double>> c(20, Vec3<double>(0, 0, 0));
   for (int k = 0; k < 20; ++k) c[std::size_t(k)][0] = 100 * k;
   c[3][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(near_pairs(c, std::vector<double>(20, 1.0), 0).size(), 19u) << "NaN is near to everybody";
+  EXPECT_EQ(NearPairs{}.find(c, std::vector<double>(20, 1.0), 0).size(), 19u) << "NaN is near to everybody";
 }
 
 }  // namespace
