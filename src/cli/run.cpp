@@ -39,7 +39,9 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   std::printf("\n  %-18s %ld to t = %g s in %.3f s\n", located ? "advances" : "steps", run.steps, run.t_end, wall);
   std::printf("  energy             %.6g J -> %.6g J\n", l.energy.start, l.energy.end);
   std::printf("    accounted for    work %.4g, restitution lost %.4g, friction lost %.4g,\n", l.energy.work, l.energy.restitution_loss, l.energy.friction_loss);
-  std::printf("                     correction %.4g, switched %.4g J\n", l.energy.correction, l.energy.switched);
+  std::printf("                     correction %.4g, switched %.4g", l.energy.correction, l.energy.switched);
+  if (located) std::printf(", stepper %.4g", l.energy.stepper);
+  std::printf(" J\n");
   std::printf("  unexplained, worst energy %.3g J, linear momentum %.3g N s,\n", l.energy.worst_drift, l.linear.worst_drift);
   std::printf("                     angular momentum %.3g kg m^2/s\n", l.angular.worst_drift);
   std::printf("  impacts            %ld: planes %ld, pairs %ld; %ld gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
@@ -181,7 +183,7 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
-  command->add_option("--no-skip", options->no_skip, "do what could be left out: pairs, planes, loads, monitors or all; the same bits, slower")->delimiter(',');
+  command->add_option("--no-skip", options->no_skip, "do what could be left out: pairs, planes, loads, rest, monitors or all; the same bits, slower")->delimiter(',');
   CLI::Option* explained = command->add_flag("--explain", options->explain, "print what the scene needs and what was left out, why and how often");
   command->add_flag("--json", options->json, "print summary.json")->excludes(explained);
   command->add_flag("--quiet", options->quiet, "print nothing");

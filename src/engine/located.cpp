@@ -86,8 +86,8 @@ void LocatedWorld::finish(double t) {
     if (bodies_[i].phase == LocatedBody::Phase::stepping) summary_.handed_over[bodies_[i].reported].to = t;
   }
   Ledger::Energy& e = ledger_.energy;
-  e.worst_drift = std::fabs(e.end - e.start - e.correction - e.switched + e.restitution_loss + e.friction_loss);
-  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) m->worst_drift = norm<double>(V(m->end - m->start - m->external));
+  e.worst_drift = std::fabs(e.end - e.start - e.correction - e.switched - e.stepper + e.restitution_loss + e.friction_loss);
+  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) m->worst_drift = norm<double>(V(m->end - m->start - m->external - m->stepper));
 }
 
 State<double> LocatedWorld::state_at(const LocatedBody& b, double t) {
@@ -132,7 +132,7 @@ void LocatedWorld::happen(std::size_t i) {
   const Moment now = b.start.after(b.next);
   State<double> s = arrive(i, b.next);
   if (b.phase == LocatedBody::Phase::sliding && !b.tangled && dot<double>(s.v_WB, b.flight->start().v_WB) <= 0) s.v_WB = zero3<double>();
-  if (b.tangled) return hand_over(i, now, s, "a corner follows the plane within rounding");
+  if (b.tangled) return hand_over(i, now, s, "a corner follows the plane within rounding, or a search of a million advances");
   LocatedImpact seen{i, now.value(), b.next, b.flight->start(), s, s};
   const long impacts = ledger_.impacts;
   begin(i, now, s);

@@ -75,10 +75,14 @@ void LocatedWorld::step_all(double t) {
   for (const std::uint32_t i : in) {
     LocatedBody& b = bodies_[i];
     const double h = b.start.until(t);
-    const V weight = shape(i).mass() * gravity_;
+    const V weight = shape(i).mass() * gravity_, moment = h * cross<double>(b.motion.state.p_WB, weight);
     ledger_.linear.external += h * weight;
-    ledger_.angular.external += h * cross<double>(b.motion.state.p_WB, weight);
+    ledger_.angular.external += moment;
+    ledger_.energy.stepper -= energy(i, b.motion.state);
+    ledger_.angular.stepper -= angular(i, b.motion.state) + moment;
     b.motion = sheet.step(shape(i), b.motion, {weight, zero3<double>()}, h);
+    ledger_.energy.stepper += energy(i, b.motion.state);
+    ledger_.angular.stepper += angular(i, b.motion.state);
     summary_.finite = summary_.finite && is_finite(b.motion.state);
     b.start = Moment{t, 0};
     b.calm = met_[i] ? 0 : b.calm + 1;

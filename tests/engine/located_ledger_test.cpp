@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <rigor/engine/located.hpp>
+
+namespace rigor {
+namespace {
+
+using V = Vec3<double>;
+
+const Observer nothing = [](double, const std::vector<State<double>>&) {};
+
+// A cuboid that begins inside a ceiling falls in the stepper for a while. Its step is v' = v + h g, p' = p + h v', so kinetic
+// energy grows by m (v·g h + g² h²/2) and the potential one falls by m (v·g h + g² h²): m g² h²/2 is lost, every step.
+TEST(LocatedLedger, TellsWhatTheStepperLosesByItself) {
+  Scene s;
+  s.method = "located";
+  s.planes.push_back(*Plane<double>::make(V(0, 5, 0), V(0, -1, 0)));
+  State<double> start;
+  start.p_WB = V(0.3, 4.9, -0.2), start.v_WB = V(1, 0, 0);
+  s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.5, 1}), start}};
+  s.dt = 1.0 / 64, s.until = 1;
+  const auto run = simulate_located(s, nothing);
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->handed_over.size(), 1u);
+  const double steps = run->handed_over[0].to / s.dt, lost = 2 * 9.8 * 9.8 * s.dt * s.dt / 2;
+  EXPECT_GE(steps, 10);
+  EXPECT_NEAR(run->ledger.energy.stepper, -steps * lost, 64 * 0x1p-53 * steps * 100) << "energies of 100 J, a few roundings a step";
+  EXPECT_NEAR(run->ledger.energy.correction, -2 * 9.8 * 0.15, 1e-13) << "pushed down by 4.9 + 0.5/2 - 5 m";
+  EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
+}
+
+// The assignment's scene is handed over in part, and all of its energy and momentum are explained.
+TEST(LocatedLedger, ExplainsTheAssignmentsScene) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Scene s = builtin_scene("assignment", seed);
+    s.method = "located";
+    s.actions = {{5, SceneAction::Do::gravity_off}, {6, SceneAction::Do::gravity_on}};
+    s.until = 12;
+    const auto run = simulate_located(s, nothing);
+    ASSERT_TRUE(run);
+    EXPECT_FALSE(run->handed_over.empty()) << seed;
+    const Ledger& l = run->ledger;
+    EXPECT_LT(l.energy.stepper, -1) << seed;
+    // a step and an impact leave a few u of the energies and momenta they exchange
+    const double roundings = double(l.impacts + run->steps) * 8 * 0x1p-53;
+    EXPECT_LT(l.energy.worst_drift, roundings * l.energy.start) << seed;
+    EXPECT_LT(l.linear.worst_drift, roundings * 300) << seed << ": 25 kg, 10 m/s";
+    EXPECT_LT(l.angular.worst_drift, roundings * 3000) << seed << ": at 10 m";
+  }
+}
+
+}  // namespace
+}  // namespace rigor
