@@ -12,6 +12,7 @@ struct Skips {
   bool planes = true;     ///< planes no corner can reach
   bool loads = true;      ///< moments of the forces where there is no force but gravity
   bool monitors = false;  ///< accounts of every step, where nobody asked for them; those of the end are kept
+  bool rest = true;       ///< steps of cuboids at rest without load
 };
 
 /// `skips` without the named ones; "all" for every one. Fault: unknown, with the names there are.

@@ -21,6 +21,7 @@ World::World(Scene scene, ImpactObserver on_impact)
   for (const SceneBody& b : scene_.bodies) reach_.push_back(norm<double>(b.shape.size()) / 2 + 0.01);
   if (!reach_.empty()) margin_ = *std::max_element(reach_.begin(), reach_.end()) / 4;
   loads_.resize(motions_.size());
+  still_.assign(motions_.size(), false);
   vacuum_.assign(motions_.size(), Wrench<double>{});
   gravity_ = scene_.gravity;
   ledger_.energy.start = ledger_.energy.end = energy();
@@ -69,6 +70,7 @@ void World::set_method(const std::string& name) {
   const Method* found = find_method(name);
   promise(found != nullptr, "a method is set by one of its names");
   method_ = found;
+  still_.assign(motions_.size(), false);
   scene_.method = name;
 }
 // A constant pull towards the mean of the centres, upwards in y, at a small fixed offset: assignment/interface.md.
@@ -90,6 +92,7 @@ void World::sum_forces(double t) {
     return;
   }
   steady_ = scene_.forces.empty() && !hand_;
+  still_.assign(motions_.size(), false);
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     Wrench<double> sum = add_force<double>({}, zero3<double>(), V(shape(i).mass() * gravity_));
     loads_[i] = {V(sum.f_W + vacuum_[i].f_W), V(sum.tau_W + vacuum_[i].tau_W)};
@@ -124,6 +127,7 @@ void World::move(std::size_t i, const V& shift) {
   ledger_.energy.correction -= shape(i).mass() * dot<double>(gravity_, shift);
   ledger_.angular.external += cross<double>(shift, V(shape(i).mass() * s.v_WB));
   s.p_WB += shift;
+  still_[i] = false;  // nothing is hit without being moved first
   if (i < shifted_.size()) worst_shift_ = std::fmax(worst_shift_, shifted_[i] += norm<double>(shift));
 }
 void World::against_plane(std::size_t i, const Plane<double>& plane) {
@@ -227,6 +231,11 @@ void World::against_each_other(std::size_t i, std::size_t j) {
   }
 }
 void World::advance(std::size_t i, double h) {
+  ++ledger_.skips.rest_of;
+  if (skips_.rest && still_[i]) {
+    ++ledger_.skips.rest;
+    return;
+  }
   const State<double> before = motions_[i].state;
   const Load& load = loads_[i];
   motions_[i] = method_->step(shape(i), motions_[i], load, h);
@@ -236,6 +245,9 @@ void World::advance(std::size_t i, double h) {
   ledger_.linear.external += h * load.f_W;
   ledger_.angular.external += h * (cross<double>(before.p_WB, load.f_W) + load.tau_W);
   ledger_.worst_orthonormality = std::fmax(ledger_.worst_orthonormality, orthonormality_defect<double>(after.R_WB));
+  // A step is a map of motion and load, and of h times rates: where those are zeros and it changed no bit, it never will; nor will its accounts.
+  const auto zero = [](const V& x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
+  still_[i] = zero(after.v_WB) && zero(after.w_WB) && zero(load.f_W) && zero(load.tau_W) && zero(before.v_WB) && zero(before.w_WB) && after.p_WB == before.p_WB && after.R_WB == before.R_WB;
 }
 
 double World::potential() const {

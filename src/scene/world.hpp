@@ -87,6 +87,7 @@ class World {
   bool gravity_on_ = true, vacuum_on_ = false;
   std::size_t next_action_ = 0;
   Skips skips_;
+  std::vector<char> still_;  // at rest without load: its last step changed nothing, and nothing has since
   bool steady_ = false;  // loads_ hold gravity and vacuum as they are now, and nothing else
   std::vector<double> reach_;  // of each cuboid: half its diagonal and 0.01 m
   double margin_ = 0;            // m: near_ are those who come within it of touching

@@ -32,7 +32,7 @@ void expect_same_bits(const Scene& s, const Skips& other) {
 }
 void expect_same_bits(const Scene& s) {
   const Skips all{true, true, true, true};
-  for (const char* id : {"pairs", "planes", "loads", "monitors", "all"}) {
+  for (const char* id : {"pairs", "planes", "loads", "rest", "monitors", "all"}) {
     SCOPED_TRACE(id);
     expect_same_bits(s, *without(all, {id}));
   }
@@ -72,8 +72,37 @@ TEST(Skip, ChangesNoBitWhereForcesChange) {
   expect_same_bits(s);
 }
 
+// A row at rest without gravity is set going by one that flies into it, one after another; gravity comes and goes.
+TEST(Skip, ChangesNoBitWhereSomeAreAtRest) {
+  Scene s;
+  s.gravity = zero3<double>();
+  s.surface = *Surface<double>::make(0.8, 0.3, 0.2);
+  s.planes.push_back(*Plane<double>::make({0, -0.5, 0}, {0, 1, 0}));
+  for (int k = 0; k < 30; ++k) {
+    State<double> start;
+    start.p_WB = Vec3<double>(1.2 * k, 0, 0.01 * k);
+    start.R_WB = rotation_of<double>(Vec4<double>(30, k % 5, -1, 2));
+    s.bodies.push_back({*Cuboid<double>::make(2.5, {0.3, 0.5, 0.9}), start});
+  }
+  s.bodies[0].start.v_WB = Vec3<double>(6, 0, 0);
+  s.until = 3;
+  for (const char* method : {"sheet", "rk4", "euler-momentum"}) {
+    s.method = method;
+    expect_same_bits(s);
+    RunSummary summary;
+    end_of(s, {}, summary);
+    EXPECT_EQ(summary.ledger.skips.rest_of, 30L * summary.steps);
+    EXPECT_GT(summary.ledger.skips.rest, 10L * summary.steps) << method;
+    EXPECT_GT(summary.ledger.pair_impacts, 5);
+  }
+  Scene switched = s;
+  switched.method = "sheet", switched.gravity = Vec3<double>(0, -9.8, 0);
+  switched.actions = {{0, SceneAction::Do::gravity_off}, {1, SceneAction::Do::gravity_on}, {1.2, SceneAction::Do::gravity_off}};
+  expect_same_bits(switched);
+}
+
 TEST(Skip, NamesWhatItDoesNotKnow) {
-  EXPECT_EQ(without({}, {"pairs", "friction"}).fault().text(), "no-skip is \"friction\", must be one of all, pairs, planes, loads, monitors");
+  EXPECT_EQ(without({}, {"pairs", "friction"}).fault().text(), "no-skip is \"friction\", must be one of all, pairs, planes, loads, rest, monitors");
 }
 
 TEST(Skip, LeavesOutMostOfAScatteredScene) {
