@@ -53,6 +53,33 @@ TEST(LocatedStress, FastSpins) {
     answers(s);
   }
 }
+// A cuboid that spins 17 cm above the plane at 1e8 rad/s: the bound allows advances of some ns, and the search gives up after
+// a million of them and says so.
+TEST(LocatedStress, ASearchWithoutEndIsHandedOver) {
+  State<double> start;
+  start.p_WB = V(0, 0.3, 0), start.w_WB = V(0, 1e8, 0);
+  Scene s = floor_scene(*Cuboid<double>::make(2, {0.5, 0.25, 1}), start, 0.5, 0.3);
+  s.gravity = zero3<double>();
+  s.until = 0.01, s.every = 0.01;
+  const RunSummary run = answers(s);
+  ASSERT_FALSE(run.handed_over.empty());
+  EXPECT_EQ(run.handed_over[0].why, "a corner follows the plane within rounding, or a search of a million advances");
+  EXPECT_GT(run.steps, 1000000);
+}
+// A cuboid to and fro in a gap of a nanometre at 1000 m/s: ten million impacts in ten microseconds end the run, with a reason.
+TEST(LocatedStress, MillionsOfImpactsInABlinkStopTheRun) {
+  if (std::getenv("RIGOR_ALL") == nullptr) GTEST_SKIP() << "ten million impacts, with RIGOR_ALL=1";
+  State<double> start;
+  start.p_WB = V(0, 1, 0), start.v_WB = V(0, 1000, 0);
+  Scene s = floor_scene(*Cuboid<double>::make(2, {1, 2, 1}), start, 1, 0);
+  s.gravity = zero3<double>();
+  s.planes.push_back(*Plane<double>::make(V(0, 2 + 1e-9, 0), V(0, -1, 0)));
+  s.until = 1, s.every = 1;
+  const RunSummary run = answers(s);
+  EXPECT_EQ(run.stopped, "ten million impacts");
+  EXPECT_EQ(run.ledger.impacts, 10000000);
+  EXPECT_LT(run.t_end, 2e-5);
+}
 // Beyond what the stepper can follow the run ends at the first number that is none, and says so.
 TEST(LocatedStress, WhatLeavesTheRangeOfDoubleEndsTheRun) {
   State<double> start;
@@ -67,6 +94,34 @@ TEST(LocatedStress, WhatLeavesTheRangeOfDoubleEndsTheRun) {
 TEST(LocatedStress, PlatesAndNeedles) {
   for (const V& size : {V(1, 1e-6, 1), V(1e-3, 1e-3, 2), V(1e-8, 1e-8, 1e-8)}) answers(floor_scene(*Cuboid<double>::make(2, size), tumbling(1.5), 0.5, 0.3));
 }
+// A plate a micrometre thin at 1e6 m/s, a million of its thicknesses in a microsecond: it hits its twin, which hits the wall.
+TEST(LocatedStress, NothingTunnels) {
+  const auto plate = *Cuboid<double>::make(2, {1, 1e-6, 1});
+  State<double> flying, waiting;
+  flying.p_WB = V(0, 20, 0), flying.v_WB = V(0, -1e6, 0);
+  waiting.p_WB = V(0, 10, 0);
+  Scene s = floor_scene(plate, flying, 1, 0);
+  s.gravity = zero3<double>();
+  s.bodies.push_back({plate, waiting});
+  s.until = 2.5e-5, s.every = 1e-5;
+  std::vector<State<double>> end;
+  const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->ledger.pair_impacts, 1);
+  EXPECT_EQ(run->ledger.plane_impacts, 1);
+  EXPECT_TRUE(run->handed_over.empty());
+  EXPECT_NEAR(end[0].v_WB[1], 0, 1e-8) << "exchanged: 1e6 m/s and a few roundings";
+  EXPECT_NEAR(end[1].v_WB[1], 1e6, 1e-8);
+  EXPECT_NEAR(end[1].p_WB[1], 5, 1e-5) << "20 - 25 m, turned back at the floor, two thicknesses off";
+}
+TEST(LocatedStress, WhatHasTorqueIsRefused) {
+  Scene s = floor_scene(*Cuboid<double>::make(2, {0.5, 0.25, 1}), tumbling(2), 0.5, 0.3);
+  s.actions = {{1, SceneAction::Do::vacuum_on}};
+  EXPECT_EQ(simulate_located(s, [](double, const auto&) {}).fault().text(), "actions vacuum-on is not known to method 'located'; use a stepper");
+  s.actions.clear();
+  s.forces.resize(1, {0, V(1, 0, 0)});
+  EXPECT_EQ(simulate_located(s, [](double, const auto&) {}).fault().text(), "forces are not known to method 'located' (gravity is); use a stepper");
+}
 TEST(LocatedStress, StartsInsideAPlaneAreHandedOver) {
   const RunSummary run = answers(floor_scene(*Cuboid<double>::make(2, {0.5, 0.25, 1}), tumbling(0.05), 0.5, 0.3));
   ASSERT_FALSE(run.handed_over.empty());
@@ -80,6 +135,25 @@ TEST(LocatedStress, CoincidentBodiesAndGreatMassRatios) {
   const RunSummary run = answers(s);
   ASSERT_FALSE(run.handed_over.empty());
   EXPECT_EQ(run.handed_over[0].why, "begins inside another cuboid");
+}
+// Face to face, e = 1, masses 1 to 1e12: v' = (m - M)/(m + M) v and V' = 2 m/(m + M) v.
+TEST(LocatedStress, AGrainAgainstAMountain) {
+  Scene s = floor_scene(*Cuboid<double>::make(1e-6, {0.5, 0.5, 0.5}), {}, 1, 0);
+  s.planes.clear();
+  s.gravity = zero3<double>();
+  s.bodies[0].start.v_WB = V(3, 0, 0);
+  State<double> rest;
+  rest.p_WB = V(2, 0, 0);
+  s.bodies.push_back({*Cuboid<double>::make(1e6, {0.5, 0.5, 0.5}), rest});
+  s.until = 1;
+  std::vector<State<double>> end;
+  const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->ledger.impacts, 1);
+  EXPECT_TRUE(run->handed_over.empty());
+  EXPECT_NEAR(end[0].v_WB[0], -3 * (1 - 2e-12), 3 * 8 * 0x1p-53);
+  EXPECT_NEAR(end[1].v_WB[0], 6e-12, 6e-12 * 1e-11) << "1/(1 + 1e-12) is left out";
+  EXPECT_LT(run->ledger.energy.worst_drift, 16 * 0x1p-53 * run->ledger.energy.start);
 }
 TEST(LocatedStress, PlanesThatMeetAtAMicroradian) {
   Scene s = floor_scene(*Cuboid<double>::make(2, {0.5, 0.25, 1}), tumbling(2), 1, 0);
