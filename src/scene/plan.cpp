@@ -10,10 +10,10 @@ struct Entry {
   long Ledger::Skips::*left_out, Ledger::Skips::*of;
 };
 constexpr Entry entries[] = {
-    {"pairs", "pairs", "not near each other in that step or flight", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
-    {"planes", "cuboids at planes", "out of reach in that step or flight", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
+    {"pairs", "pairs", "far apart", "same bits", &Skips::pairs, &Ledger::Skips::pairs, &Ledger::Skips::pairs_of},
+    {"planes", "cuboids at planes", "out of reach", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
     {"loads", "sums of forces", "as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
-    {"rest", "steps of a cuboid", "at rest without load, nothing moves it", "same bits", &Skips::rest, &Ledger::Skips::rest, &Ledger::Skips::rest_of},
+    {"rest", "steps of a cuboid", "at rest without load", "same bits", &Skips::rest, &Ledger::Skips::rest, &Ledger::Skips::rest_of},
     {"monitors", "accounts after a step", "nobody reads them", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
 };
 
