@@ -1,7 +1,6 @@
 #include <cmath>
 #include <complex>
-#include <reference/jet.hpp>
-#include <reference/precise.hpp>
+#include <reference/loaded_body.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/loaded.hpp>
 
@@ -11,7 +10,7 @@ namespace {
 using V = Vec3<double>;
 using P = reference::Precise;
 using J = reference::Jet<P>;
-using Jets = std::vector<J>;  // three of them are a vector, four a quaternion
+using reference::Jets;
 
 Cuboid<double> cuboid(double m, const V& size) { return *Cuboid<double>::make(m, size); }
 const Mat3<double>& generic() {
@@ -20,51 +19,26 @@ const Mat3<double>& generic() {
 }
 
 J constant(double x) { return J(P(x)); }
-J constant(double up, double down) { return J(P(up) / P(down)); }
-Jets cross(const Jets& a, const Jets& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
-/// q' = q (0, w)/2, w in body axes.
-Jets rate_of(const Jets& q, const Jets& w) {
-  const J half = constant(0.5);
-  return {half * (-(q[1] * w[0]) - q[2] * w[1] - q[3] * w[2]), half * (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]), half * (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]),
-          half * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0])};
-}
 constexpr const char* by_series = "Taylor series of order 24 of the law in 60 digits, 40 steps a second; own error below 1e-18, then rounded to double";
-std::vector<P> series_end(const auto& law, const std::vector<P>& start, double until) { return reference::taylor<P>(law, start, P(0), P(until), 24, int(std::ceil(40 * until))); }
-/// The attitude of a body that turned by the quaternion at y[at] since its start, and its spin.
-void put_end(Problem& p, const std::vector<P>& y, std::size_t at, const Vec3<P>& w_B) {
-  const Mat3<P> R = p.start.R_WB.cast<P>() * rotation_of<P>(Vec4<P>(y[at], y[at + 1], y[at + 2], y[at + 3]));
-  p.end.R_WB = R.cast<double>();
-  p.end.w_WB = Vec3<P>(R * w_B).cast<double>();
+constexpr int order = 24;
+constexpr double series_step = 0.025;
+
+void put_end(Problem& p, const Mat3<P>& R_WB, const Vec3<P>& w_B) {
+  p.end.R_WB = R_WB.cast<double>();
+  p.end.w_WB = Vec3<P>(R_WB * w_B).cast<double>();
 }
 
-// A body that spins under a torque held in body axes and its weight of 1 N on an arm: I w' = Iw x w + tau - arm x g, g' = g x w the way up
-// in body axes. Nothing pushes its centre.
+// A body that spins under a torque held in body axes and a weight of 1 N on an arm. Nothing pushes its centre.
 Problem spun(const std::string& name, const std::string& says, const Cuboid<double>& body, const Mat3<double>& R_WB, const V& w_B, const V& arm_B, const V& tau_B, double until) {
   Problem p{name, says, by_series, body, {}, nullptr, until, {}};
   p.start.R_WB = R_WB;
   p.start.w_WB = apply<double>(R_WB, w_B);
   p.load = [=](double, const State<double>& s) {
     const V arm = apply<double>(s.R_WB, arm_B);
-    return Load{zero3<double>(), V(apply<double>(s.R_WB, tau_B) + rigor::cross<double>(arm, V(0, 0, -1)))};
+    return Load{zero3<double>(), V(apply<double>(s.R_WB, tau_B) + cross<double>(arm, V(0, 0, -1)))};
   };
-  const V w = apply_transposed<double>(R_WB, p.start.w_WB), I = body.inertia();
-  std::vector<P> y;
-  for (int i = 0; i < 3; ++i) y.push_back(P(w[i]));
-  for (int i = 0; i < 3; ++i) y.push_back(P(R_WB(2, i)));
-  for (const int one : {1, 0, 0, 0}) y.push_back(P(one));
-  const auto law = [&](const J&, const Jets& x) {
-    const Jets spin{x[0], x[1], x[2]}, up{x[3], x[4], x[5]}, arm{constant(arm_B[0]), constant(arm_B[1]), constant(arm_B[2])};
-    Jets L, rate;
-    for (int i = 0; i < 3; ++i) L.push_back(constant(I[i]) * spin[std::size_t(i)]);
-    const Jets gyroscopic = cross(L, spin), weight = cross(arm, up), turn = cross(up, spin);
-    for (int i = 0; i < 3; ++i) rate.push_back((gyroscopic[std::size_t(i)] + constant(tau_B[i]) - weight[std::size_t(i)]) * constant(1, I[i]));
-    rate.insert(rate.end(), turn.begin(), turn.end());
-    const Jets q = rate_of({x[6], x[7], x[8], x[9]}, spin);
-    rate.insert(rate.end(), q.begin(), q.end());
-    return rate;
-  };
-  const std::vector<P> end = series_end(law, y, until);
-  put_end(p, end, 6, Vec3<P>(end[0], end[1], end[2]));
+  const auto end = reference::taylor_loaded_body({{body.inertia(), apply_transposed<double>(R_WB, p.start.w_WB), R_WB}, arm_B, tau_B}, until, order, series_step);
+  put_end(p, end.R_WB, end.w_B);
   return p;
 }
 
@@ -195,13 +169,14 @@ Problem changing_load(const std::string& name, double until) {
     const Jets L{constant(L0[0]) + sin(at), constant(L0[1]) + (constant(1) - cos(constant(2) * at)) * constant(0.5), constant(L0[2]) + constant(0.5) * at};
     Jets at_start, spin;
     for (int i = 0; i < 3; ++i) at_start.push_back(constant(R0(0, i)) * L[0] + constant(R0(1, i)) * L[1] + constant(R0(2, i)) * L[2]);
-    const Jets v{q[1], q[2], q[3]}, once = cross(v, at_start), twice = cross(v, once);
-    for (std::size_t i = 0; i < 3; ++i) spin.push_back((at_start[i] + constant(2) * (twice[i] - q[0] * once[i])) * constant(1, I[int(i)]));
+    const Jets L_B = reference::turned_back(q, at_start);
+    for (std::size_t i = 0; i < 3; ++i) spin.push_back(L_B[i] * J(P(1) / P(I[int(i)])));
     return spin;
   };
-  const std::vector<P> q = series_end([&](const J& at, const Jets& x) { return rate_of(x, spin_of(at, x)); }, {P(1), P(0), P(0), P(0)}, until);
+  const auto law = [&](const J& at, const Jets& q) { return reference::quaternion_rate(q, spin_of(at, q)); };
+  const std::vector<P> q = reference::taylor<P>(law, {P(1), P(0), P(0), P(0)}, P(0), P(until), order, int(std::ceil(until / series_step)));
   const Jets spin = spin_of(J(P(until)), {J(q[0]), J(q[1]), J(q[2]), J(q[3])});
-  put_end(p, q, 0, Vec3<P>(spin[0][0], spin[1][0], spin[2][0]));
+  put_end(p, R0.cast<P>() * rotation_of<P>(Vec4<P>(q[0], q[1], q[2], q[3])), Vec3<P>(spin[0][0], spin[1][0], spin[2][0]));
   return p;
 }
 

@@ -5,23 +5,30 @@
 
 namespace rigor::studies {
 
-/// The frozen table of free flights (reference/tables/free-flight.csv), made anew: inputs exact in binary, results by the
-/// Taylor series in 60 digits, written with 30. Takes about a minute.
-std::string free_flight_table();
+/// The frozen tables reference/tables/NAME.csv and how each is made anew: inputs exact in binary, results by Taylor series in 60 digits,
+/// written with 30. The flights take a minute or two, the impacts seconds.
+struct FrozenTable {
+  std::string name;
+  std::string (*make)();
+};
+const std::vector<FrozenTable>& frozen_tables();
 /// The same rows as JSON: "provenance" (the comment lines), "command" and "cases", every number as the text of the CSV,
 /// since a JSON reader would cut 30 digits to a double.
-std::string table_json(const std::string& csv);
+std::string table_json(const std::string& name, const std::string& csv);
 
 /// Somebody's answers against the table, one line a stratum.
 struct TableRow {
-  std::string stratum;
+  std::string stratum{};
   int answered = 0, of = 0;
   double attitude = 0;   ///< worst, rad
   double spin = 0;       ///< worst, relative to |ω|
-  std::string worst;     ///< the case with the worst attitude
+  std::string worst{};     ///< the case with the worst attitude
+  bool event = false;    ///< a table of impacts: with the two below
+  double time = 0;       ///< worst, relative
+  double velocity = 0;   ///< of the centre, worst, relative
 };
-/// `theirs`: CSV with a header and the columns case, qw, qx, qy, qz, wx, wy, wz (attitude body to world, spin in body axes),
-/// in any order; other columns are passed by. Faults name line and column: missing (a column, every case), unknown_key (a
+/// `theirs`: CSV with a header and the columns case, qw, qx, qy, qz, wx, wy, wz (attitude body to world, spin in body axes), for a table
+/// with impacts time, vx, vy, vz too, in any order; other columns are passed by. Faults name line and column: missing (a column, every case), unknown_key (a
 /// case that is not in the table, or twice), wrong_type or not_finite (a cell), not_unit (a quaternion off by more than 1e-3).
 Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::string& theirs, const std::string& name);
 

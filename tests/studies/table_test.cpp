@@ -15,7 +15,7 @@ namespace {
 
 using V = Vec3<double>;
 
-std::string table() { return *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables/free-flight.csv"); }
+std::string table(const std::string& name = "free-flight") { return *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables" / (name + ".csv")); }
 
 struct Case {
   std::string id;
@@ -103,39 +103,42 @@ TEST(FreeFlightTable, FindsAWrongAnswerAndNamesWhatItCannotRead) {
 }
 
 // The JSON that is committed against the CSV that is, each read here by its own reader: value by value as text.
-TEST(FreeFlightTable, IsTheSameAsJson) {
-  const std::string text = *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables/free-flight.json");
-  EXPECT_TRUE(text == table_json(table())) << "not what rigor check-table --write makes of the CSV";
-  const auto json = nlohmann::json::parse(text);
-  std::istringstream in(table());
-  std::vector<std::string> header, comments;
-  std::size_t rows = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (line.front() == '#') {
-      comments.push_back(line.substr(2));
-      continue;
+TEST(FrozenTables, AreTheSameAsJson) {
+  for (const FrozenTable& frozen : frozen_tables()) {
+    const std::string text = *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables" / (frozen.name + ".json")), csv = table(frozen.name);
+    EXPECT_TRUE(text == table_json(frozen.name, csv)) << frozen.name << " is not what rigor check-table --write makes of the CSV";
+    const auto json = nlohmann::json::parse(text);
+    std::istringstream in(csv);
+    std::vector<std::string> header, comments;
+    std::size_t rows = 0;
+    for (std::string line; std::getline(in, line);) {
+      if (line.front() == '#') {
+        comments.push_back(line.substr(2));
+        continue;
+      }
+      std::vector<std::string> c;
+      std::istringstream cells(line);
+      for (std::string cell; std::getline(cells, cell, ',');) c.push_back(cell);
+      if (header.empty()) {
+        header = c;
+        continue;
+      }
+      const auto& row = json.at("cases").at(rows++);
+      ASSERT_EQ(row.size(), header.size()) << line;
+      for (std::size_t i = 0; i < header.size(); ++i) EXPECT_EQ(row.at(header[i]).get<std::string>(), c.at(i)) << c[0] << ", " << header[i];
     }
-    std::vector<std::string> c;
-    std::istringstream cells(line);
-    for (std::string cell; std::getline(cells, cell, ',');) c.push_back(cell);
-    if (header.empty()) {
-      header = c;
-      continue;
-    }
-    const auto& row = json.at("cases").at(rows++);
-    ASSERT_EQ(row.size(), header.size()) << line;
-    for (std::size_t i = 0; i < header.size(); ++i) EXPECT_EQ(row.at(header[i]).get<std::string>(), c.at(i)) << c[0] << ", " << header[i];
+    EXPECT_EQ(json.at("cases").size(), rows);
+    EXPECT_GE(rows, 24u);
+    EXPECT_EQ(json.at("schema"), "rigor." + frozen.name + "-table/1");
+    EXPECT_EQ(json.at("provenance").get<std::vector<std::string>>(), comments);
+    EXPECT_EQ(json.at("command"), "rigor check-table --write DIR");
   }
-  EXPECT_EQ(json.at("cases").size(), rows);
-  EXPECT_EQ(rows, cases().size());
-  EXPECT_EQ(json.at("provenance").get<std::vector<std::string>>(), comments);
-  EXPECT_EQ(json.at("command"), "rigor check-table --write DIR");
 }
 
-// Made anew, the table is the one that is frozen, to the letter (minutes: only where everything is run).
-TEST(FreeFlightTable, IsWhatItsCommandMakes) {
+// Made anew, the tables are those that are frozen, to the letter (minutes: only where everything is run).
+TEST(FrozenTables, AreWhatTheirCommandMakes) {
   if (std::getenv("RIGOR_ALL") == nullptr) GTEST_SKIP() << "takes minutes; runs with ./rigor test --all";
-  EXPECT_EQ(free_flight_table(), table());
+  for (const FrozenTable& frozen : frozen_tables()) EXPECT_TRUE(frozen.make() == table(frozen.name)) << frozen.name;
 }
 
 }  // namespace
