@@ -9,6 +9,40 @@
 namespace rigor {
 namespace {
 
+// Along each axis by itself, and with faces that touch.
+TEST(AxisBox, HoldsWhatLiesWithinItAlongEveryAxis) {
+  const AxisBox outer{{-1, 2, 5}, {4, 3, 9}}, inner{{0, 2.25, 6}, {3, 2.75, 8}};
+  EXPECT_TRUE(holds(outer, inner));
+  EXPECT_TRUE(holds(outer, outer));
+  for (int k = 0; k < 3; ++k) {
+    AxisBox below = inner, above = inner;
+    below.low[k] = outer.low[k] - 0.125;
+    above.high[k] = outer.high[k] + 0.125;
+    EXPECT_FALSE(holds(outer, below)) << k;
+    EXPECT_FALSE(holds(outer, above)) << k;
+  }
+}
+
+// Where a position has more digits than a cell's number: long after a size of 1e-3 m could be told apart at 1e17 m.
+TEST(BoxIndex, FindsBoxesFartherAwayThanTheirCellsCanBeCounted) {
+  for (int k = 0; k < 3; ++k)
+    for (const double far : {1e17, -1e17}) {
+      BoxIndex index(40);
+      AxisBox first;
+      for (std::uint32_t i = 0; i < 40; ++i) {
+        AxisBox box{Vec3<double>(1, 2, 3), Vec3<double>(1.001, 2.001, 3.001)};
+        box.low[k] = box.high[k] = far;
+        box.low[(k + 1) % 3] += 0.01 * i;
+        box.high[(k + 1) % 3] += 0.01 * i;
+        index.put(i, box);
+        if (i == 0) first = box;
+      }
+      std::vector<std::uint32_t> found;
+      index.overlapping(first, found);
+      EXPECT_EQ(found, std::vector<std::uint32_t>{0}) << k << ", " << far;
+    }
+}
+
 // Against everybody with everybody, while boxes come, move and go: grains and giants, needles, points, far away.
 TEST(BoxIndex, FindsThoseThatOverlap) {
   std::mt19937_64 random(11);
