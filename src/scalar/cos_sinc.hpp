@@ -33,9 +33,12 @@ struct CosSinc {
   return {cosine * (odd ? s : c), sine * (odd ? c : s) / x};
 }
 
+/// The same out of the way of loops whose angles are small as a rule: inside them it takes the registers (a third of a splitting's time).
+[[gnu::noinline]] inline CosSinc cos_sinc_far_apart(double z) { return cos_sinc_far(z); }
+
 /// For any z ≥ 0.
 inline CosSinc cos_sinc(double z) {
-  if (!(z < 0.25)) return cos_sinc_far(z);
+  if (!(z < 0.25)) [[unlikely]] return cos_sinc_far_apart(z);
   return cos_sinc_near(z);
 }
 
