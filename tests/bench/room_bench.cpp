@@ -7,7 +7,7 @@
 #include <limits>
 #include <rigor/engine/located.hpp>
 
-#include "../engine/room_witness.hpp"
+#include "../engine/room.hpp"
 #include "room_peer.hpp"
 
 namespace {
@@ -37,15 +37,16 @@ V bullet([[maybe_unused]] const Scene& scene, [[maybe_unused]] double dt) {
 }
 
 void compare(double mu) {
-  Scene scene = witness::room(0.5, mu);
-  const auto want = witness::impacts(scene, witness::start_of(scene), 21);
+  Scene scene = room(0.5, mu);
+  const reference::Throw thrown_one = thrown_in(scene);
+  const auto want = reference::precise_impacts(thrown_one, thrown<P>(scene.bodies[0].start), scene.until, 21);
   V end;
   const Observer keep = [&](double, const std::vector<State<double>>& states) { end = states[0].p_WB; };
   for (const std::size_t impacts : {1u, 4u, 20u}) {
-    const witness::P until = (want[impacts - 1].t + want[impacts].t) / 2;
+    const P until = (want[impacts - 1].t + want[impacts].t) / 2;
     scene.until = scene.every = double(until);
-    const auto there = witness::fly<witness::P>(scene, want[impacts - 1].after, witness::P(scene.until) - want[impacts - 1].t, 40);
-    const V p(double(there.p[0]), double(there.p[1]), double(there.p[2]));
+    const Thrown<P> there = reference::precise_flight(thrown_one, want[impacts - 1].after, P(scene.until) - want[impacts - 1].t);
+    const V p(double(there.p_WB[0]), double(there.p_WB[1]), double(there.p_WB[2]));
     std::printf("mu %.1f, %zu impacts, %.3f s\n", mu, impacts, scene.until);
     double located = 0;
     const auto row = [&](const char* name, const std::function<void()>& run) {

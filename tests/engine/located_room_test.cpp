@@ -4,23 +4,20 @@
 
 #include <rigor/engine/located.hpp>
 
-#include "room_witness.hpp"
+#include "room.hpp"
 
 namespace rigor {
 namespace {
 
-using witness::Body;
-using witness::P;
-
 // Positions over the room's height, speeds and spins over those at the start, attitudes as they are.
 template <class A, class B>
-double difference(const Body<A>& a, const Body<B>& b) {
+double difference(const Thrown<A>& a, const Thrown<B>& b) {
   double worst = 0;
   for (int i = 0; i < 3; ++i) {
-    worst = std::fmax(worst, std::fabs(double(P(a.p[i]) - P(b.p[i]))) / 5);
-    worst = std::fmax(worst, std::fabs(double(P(a.v[i]) - P(b.v[i]))) / 20);
-    worst = std::fmax(worst, std::fabs(double(P(a.w[i]) - P(b.w[i]))) / 4);
-    for (int k = 0; k < 3; ++k) worst = std::fmax(worst, std::fabs(double(P(a.R(i, k)) - P(b.R(i, k)))));
+    worst = std::fmax(worst, std::fabs(double(P(a.p_WB[i]) - P(b.p_WB[i]))) / 5);
+    worst = std::fmax(worst, std::fabs(double(P(a.v_WB[i]) - P(b.v_WB[i]))) / 20);
+    worst = std::fmax(worst, std::fabs(double(P(a.w_WB[i]) - P(b.w_WB[i]))) / 4);
+    for (int k = 0; k < 3; ++k) worst = std::fmax(worst, std::fabs(double(P(a.R_WB(i, k)) - P(b.R_WB(i, k)))));
   }
   return worst;
 }
@@ -28,25 +25,26 @@ double difference(const Body<A>& a, const Body<B>& b) {
 void compare_end_to_end(double mu) {
   constexpr std::size_t count = 20;
   constexpr double allowed = 1e-13;  // 20 impacts and as many flights of a few u each; seen: 2.5e-15
-  const Scene scene = witness::room(0.5, mu);
+  const Scene scene = room(0.5, mu);
+  const reference::Throw thrown_one = thrown_in(scene);
+  const Thrown<P> start = thrown<P>(scene.bodies[0].start);
   std::vector<LocatedImpact> seen;
   const auto done = simulate_located(scene, [](double, const std::vector<State<double>>&) {}, [&](const LocatedImpact& i) { seen.push_back(i); });
   ASSERT_TRUE(done);
   ASSERT_GE(seen.size(), count);
-  const auto want = witness::impacts(scene, witness::start_of(scene), count);
+  const auto want = reference::precise_impacts(thrown_one, start, scene.until, count);
   ASSERT_EQ(want.size(), count);
   std::vector<double> growth(count, 1);
   const double moved = 1e-25;
   for (const int axis : {0, 4, 8}) {  // one of position, one of velocity, one of spin
-    Body<P> start = witness::start_of(scene);
-    (axis < 3 ? start.p : axis < 6 ? start.v : start.w)[axis % 3] += P(moved) * (axis < 3 ? 5 : axis < 6 ? 20 : 4);
-    const auto beside = witness::impacts(scene, start, count);
+    Thrown<P> beside_it = start;
+    (axis < 3 ? beside_it.p_WB : axis < 6 ? beside_it.v_WB : beside_it.w_WB)[axis % 3] += P(moved) * (axis < 3 ? 5 : axis < 6 ? 20 : 4);
+    const auto beside = reference::precise_impacts(thrown_one, beside_it, scene.until, count);
     for (std::size_t k = 0; k < count; ++k) growth[k] = std::fmax(growth[k], difference(want[k].after, beside[k].after) / moved);
   }
   double worst = 0, worst_time = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const State<double>& s = seen[k].after;
-    const Body<double> got{s.p_WB, s.v_WB, s.w_WB, s.R_WB};
+    const Thrown<double> got = thrown<double>(seen[k].after);
     const double off = difference(want[k].after, got), late = std::fabs(double(P(seen[k].t) - want[k].t)) / seen[k].t;
     EXPECT_LT(off, allowed * growth[k]) << "impact " << k;
     EXPECT_LT(late, allowed * growth[k]) << "impact " << k;
