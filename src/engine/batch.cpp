@@ -71,7 +71,7 @@ void Batch::set_load(std::size_t i, const Load& load) {
 
 Motion Batch::motion(std::size_t i) const { return {{p_WB(i), R_WB(i), v_WB(i), w_WB(i)}, L_W(i)}; }
 
-void Batch::step(double h, long steps, unsigned threads, std::optional<Instructions> instructions) {
+void Batch::step(double h, long steps, unsigned threads, std::optional<Instructions> instructions) noexcept {
   promise(steps >= 0, "a batch makes steps >= 0 steps");
   const auto advance = detail::compiled_for(instructions.value_or(widest_instructions()), row_of(method_).kernels);
   // Which thread steps a block, and in which company, changes nothing: no lane reads another.

@@ -44,9 +44,9 @@ class Batch {
 
   /// `steps` ≥ 0 steps of h seconds under the present loads. Asked for many steps at once it takes few bodies through
   /// all of them while they are in the cache. `threads` ≥ 1 are started for the call (tens of µs); one thread
-  /// allocates nothing.
+  /// allocates nothing. Fewer are used where the system has no more.
   /// Precondition: this processor has `instructions`; the widest it has when none are named.
-  void step(double h, long steps = 1, unsigned threads = 1, std::optional<Instructions> instructions = {});
+  void step(double h, long steps = 1, unsigned threads = 1, std::optional<Instructions> instructions = {}) noexcept;
 
  private:
   Batch() = default;

@@ -155,7 +155,7 @@ Outcome<ExactFlight> ExactFlight::make(const Vec3<double>& I_B, const Vec3<doubl
   return ExactFlight(precision == Precision::plain ? tune<double>(I_B, w_B, R_WB) : tune<long double>(I_B, w_B, R_WB));
 }
 
-Attitude ExactFlight::at(double t) const {
+Attitude ExactFlight::at(double t) const noexcept {
   Attitude a;  // the one object returned: a copy of what was just written would cost half as much again
   if (tuned_.kind == Tuned::Kind::pure_rotation) rotate(tuned_, t, a);
   else evaluate(tuned_, t, a.R_WB.data(), a.L_B.data());

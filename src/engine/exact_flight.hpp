@@ -31,7 +31,7 @@ class ExactFlight {
                                    Precision precision = Precision::extended);
 
   /// t in s, any sign, finite.
-  Attitude at(double t) const;
+  Attitude at(double t) const noexcept;
 
   /// Constants of the evaluator. Public for FlightBatch, which keeps many flights as arrays of these.
   struct Tuned {

@@ -57,7 +57,7 @@ void FlightBatch::put(const Place& place, const Attitude& attitude) {
   for (int k = 0; k < 3; ++k) b.L[k][place.lane] = attitude.L_B[k];
 }
 
-void FlightBatch::evaluate(double t, unsigned threads, std::optional<Instructions> instructions) {
+void FlightBatch::evaluate(double t, unsigned threads, std::optional<Instructions> instructions) noexcept {
   const auto evaluate_blocks = detail::compiled_for(instructions.value_or(widest_instructions()), detail::flight_blocks);
   detail::in_shares(long(evaluated_), threads, [this, evaluate_blocks, t](long first, long last) { evaluate_blocks(blocks_.data() + first, last - first, t); });
   for (const Rotation& r : rotations_) put(r.place, r.flight.at(t));

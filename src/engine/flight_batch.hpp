@@ -16,9 +16,9 @@ class FlightBatch {
   std::size_t size() const { return place_.size(); }
 
   /// Attitudes and angular momenta at t seconds (any sign, finite), in place of those at the time before. `threads` ≥ 1
-  /// are started for the call; one thread allocates nothing.
+  /// are started for the call, fewer where the system has no more; one thread allocates nothing.
   /// Precondition: this processor has `instructions`; the widest it has when none are named.
-  void evaluate(double t, unsigned threads = 1, std::optional<Instructions> instructions = {});
+  void evaluate(double t, unsigned threads = 1, std::optional<Instructions> instructions = {}) noexcept;
 
   /// Views of flight i (i < size()) as last evaluated, at t = 0 at first; nothing copied, alive as long as the batch.
   using VectorView = Eigen::Map<const Vec3<double>, 0, Eigen::InnerStride<detail::flight_lanes>>;
