@@ -115,6 +115,11 @@ test('plots answer to the pointer', async () => {
   const at = await over.boundingBox();
   await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
   assert.match(await page.locator('.hover .u-legend').first().textContent(), /step h, s0\.0\d/);
+  const curve = page.locator('.hover').first().locator('.u-legend .u-series').nth(1), is_off = () => curve.evaluate(c => c.classList.contains('u-off'));
+  await curve.locator('th').click();
+  assert.ok(await is_off(), 'a click on its name hides a curve');
+  await curve.locator('th').click();
+  assert.ok(!await is_off(), 'and another shows it again');
   await nothing_wrong(page);
   await shot(page, 'report-ada');
 });
