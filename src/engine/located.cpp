@@ -27,6 +27,8 @@ LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const Locate
     bodies_[i].phase = LocatedBody::Phase::stepping;  // unknown to each other until begun
     bodies_[i].stride = size(i);
   }
+  for (Partners& p : partners_) p.known.reserve(32);
+  events_.reserve(16 * bodies_.size() + 128);
   for (std::size_t i = 0; i < bodies_.size(); ++i) begin(i, Moment{}, scene.bodies[i].start);
 }
 
