@@ -7,6 +7,7 @@
 #include <rigor/engine/batch.hpp>
 #include <rigor/engine/flight_batch.hpp>
 #include <rigor/engine/flow_methods.hpp>
+#include <rigor/engine/located.hpp>
 #include <rigor/linalg/rotation.hpp>
 
 namespace {
@@ -94,6 +95,37 @@ TEST(Allocation, NoneInAStepOfAnyMethod) {
       advance(method, box, from, load, 0, 0.01);
       EXPECT_EQ(allocations, before) << method.name;
     }
+}
+
+// Four cuboids in a closed box: flights, boxes, searches and what is to come keep their memory once it has grown, and
+// everybody has met everybody.
+TEST(Allocation, NoneBetweenLocatedImpacts) {
+  Scene s;
+  s.method = "located";
+  s.gravity = zero3<double>();
+  s.surface = *Surface<double>::make(1, 0, 0);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      V n = zero3<double>();
+      n[axis] = -side;
+      s.planes.push_back(*Plane<double>::make(V(-2 * n), n));
+    }
+  for (int k = 0; k < 4; ++k) {
+    State<double> b;
+    b.p_WB = V(k & 1 ? 1 : -1, k & 2 ? 1 : -1, 0.1 * k), b.v_WB = V(1 + k, 3 - k, 2), b.w_WB = V(k, 2, -1);
+    s.bodies.push_back({*Cuboid<double>::make(2, V(0.3, 0.4, 0.5)), b});
+  }
+  s.until = s.every = 200;
+  long impacts = 0, at_half = 0, last = 0;
+  const auto run = simulate_located(s, [](double, const std::vector<State<double>>&) {}, [&](const LocatedImpact& impact) {
+    ++impacts;
+    last = allocations;
+    if (impact.t < s.until / 2) at_half = last;
+  });
+  ASSERT_TRUE(run && run->handed_over.empty());
+  EXPECT_GT(impacts, 1000);
+  EXPECT_GT(run->ledger.pair_impacts, 50);
+  EXPECT_EQ(last, at_half);
 }
 
 }  // namespace
