@@ -15,7 +15,13 @@ std::vector<Call> ask_constructor(const Scenario& s) {
   q.direct = 0;  // the constructor calls computeBodyCoordsMOI
   return {{s.constants, q}};
 }
-std::vector<Call> ask_world(const Scenario& s) { return {{s.constants, request(Function::world_inertia, s)}}; }
+std::vector<Call> ask_world(const Scenario& s, std::uint32_t which) {
+  Request q = request(Function::world_inertia, s);
+  q.flags = which;
+  return {{s.constants, q}};
+}
+std::vector<Call> ask_tensor(const Scenario& s) { return ask_world(s, tensor_only); }
+std::vector<Call> ask_inverse(const Scenario& s) { return ask_world(s, inverse_only); }
 Mat3<double> diagonal(const Vec3<double>& d) { return d.asDiagonal(); }
 
 Judgement judge_tensor(const Scenario& s, const std::vector<Reply>& r, bool) {
@@ -60,17 +66,17 @@ std::vector<Check> inertia_checks() {
        ask_constructor, judge_inverse, true},
       {"moi.world", "Inertia", StudentFunction::world_inertia, "inertia.world", "the world tensor is R I R^T", 3,
        {"world.transposed", "world.no-right-factor", "world.no-left-factor", "world.body", "world.inverse-instead"}, turned,
-       ask_world, judge_world},
+       ask_tensor, judge_world},
       {"moi.world-upright", "Inertia", StudentFunction::world_inertia, "inertia.world",
-       "for R = 1 the world tensor is the body tensor", 1, {"world.inverse-instead"}, upright, ask_world, judge_world},
+       "for R = 1 the world tensor is the body tensor", 1, {"world.inverse-instead"}, upright, ask_tensor, judge_world},
       {"moi.world-inverse", "Inertia", StudentFunction::world_inverse_inertia, "inertia.world_inverse",
        "the inverse world tensor is R I^-1 R^T", 4,
        {"world-inverse.transposed", "world-inverse.no-right-factor", "world-inverse.no-left-factor", "world-inverse.body",
         "world-inverse.tensor-instead", "world-inverse.elementwise"},
-       turned, ask_world, judge_world_inverse},
+       turned, ask_inverse, judge_world_inverse},
       {"moi.world-inverse-upright", "Inertia", StudentFunction::world_inverse_inertia, "inertia.world_inverse",
        "for R = 1 the inverse world tensor is the inverse body tensor", 1, {"world-inverse.tensor-instead"}, upright,
-       ask_world, judge_world_inverse},
+       ask_inverse, judge_world_inverse},
   };
 }
 

@@ -3,16 +3,18 @@
 #include <cmath>
 #include <map>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/grader/bypass.hpp>
 #include <rigor/grader/diagnose.hpp>
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/grader/sanitize.hpp>
 #include <rigor/grader/shrink.hpp>
-#include <rigor/grader/workers.hpp>
 #include <set>
 
 namespace rigor::grader {
 namespace {
+
+namespace fs = std::filesystem;
 
 Verdict verdict_of(Death::Kind kind) {
   switch (kind) {
@@ -44,28 +46,34 @@ double ratio_of(const Check& check, const Scenario& s, const std::vector<Reply>&
   return check.judge(s, replies, own).ratio() / tolerance;
 }
 
-// A submission whose functions are slow or never return costs this much of our time, and no more.
+// A function that is slow or never returns costs this much of our time, and no more; nobody else's function pays for it.
+// Its own time counts (processor and sleep), so that a busy machine changes nothing; the wall is a far backstop.
 class Patience {
  public:
   explicit Patience(const Limits& limits) : limit_s_(40 * limits.call_s) {}
   /// A call that takes long on its own account (a whole scene) has a limit of its own.
-  void count(StudentFunction function, const Call& call, double seconds) {
-    if (call.seconds > 0 || seconds < 0.02) return;
-    slow_.insert(function);
-    spent_s_ += seconds < 0.1 ? seconds / 3 : seconds;  // a busy machine, too, may make one wait for hundredths
+  void count(StudentFunction function, const Call& call, double own_s, double wall_s) {
+    if (call.seconds > 0) return;
+    own_s_[function] += own_s;
+    wall_s_[function] += wall_s;
   }
-  bool slow(StudentFunction function) const { return slow_.count(function) != 0; }
-  bool short_of(StudentFunction function) const { return slow(function) && spent_s_ >= limit_s_ / 4; }
-  bool ended(StudentFunction function) const { return slow(function) && spent_s_ >= limit_s_; }
+  bool short_of(StudentFunction f) const { return used(f) >= limit_s_ / 4; }
+  bool ended(StudentFunction f) const { return used(f) >= limit_s_; }
   std::string words() const {
     char text[160];
-    std::snprintf(text, sizeof text, "it was slow before, and the %g s that slow calls of one submission may take in all are used up", limit_s_);
+    std::snprintf(text, sizeof text, "the function is slow, and the %g s that its calls may take in all are used up", limit_s_);
     return text;
   }
 
  private:
-  double limit_s_, spent_s_ = 0;
-  std::set<StudentFunction> slow_;
+  static double at(const std::map<StudentFunction, double>& seconds, StudentFunction f) {
+    const auto found = seconds.find(f);
+    return found == seconds.end() ? 0 : found->second;
+  }
+  double used(StudentFunction f) const { return std::max(at(own_s_, f), at(wall_s_, f) / 10); }
+
+  double limit_s_;
+  std::map<StudentFunction, double> own_s_, wall_s_;
 };
 
 class Trial {
@@ -261,7 +269,7 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
     const Student watched = [&](const Call& call) {
       const auto start = std::chrono::steady_clock::now();
       Answer answer = student(call);
-      patience.count(check.function, call, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      patience.count(check.function, call, answer.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       return answer;
     };
     auto [result, seen] = Trial(watched, check, rubric, selection, patience, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
@@ -307,7 +315,12 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   report.notes.insert(report.notes.end(), built->notes.begin(), built->notes.end());
   report.isolation = built->isolation;
 
-  Workers workers(built->executable, rubric.limits);
+  Bypass workers(built->executable, rubric.limits, [&]() -> fs::path {
+    BuildOptions without = plain;
+    without.replaced = {StudentFunction::body_inertia};
+    const auto other = build(submission, without);
+    return other ? other->executable : fs::path();
+  });
   Constants own;
   if (built->own_constants && !built->executable.empty()) {
     Worker worker(built->executable, own, rubric.limits);
@@ -329,6 +342,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
     return answer;
   };
   judge(student, functions, rubric, selection, report);
+  report.notes.insert(report.notes.end(), workers.notes().begin(), workers.notes().end());
   if (options.sanitize && interrupted() == 0) report.notes.push_back(sanitizer_advice(submission, rubric, options));
   if (report.output.size() > 4096) report.output.resize(4096);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -26,6 +26,8 @@ constexpr std::uint32_t want_helpers = 1;   // before the call: what the student
                                             // there is a plane: its frictionTangent at `point`)
 constexpr std::uint32_t hold_forces = 2;    // update: the accumulators are set again before each of `count` steps
 constexpr std::uint32_t vacuum_on = 4;      // scene_steps: startVacuumForces() before the first step
+constexpr std::uint32_t tensor_only = 8;    // world_inertia: the other of the two replies stays zero
+constexpr std::uint32_t inverse_only = 16;
 
 /// One cuboid, SI units, world axes unless said; matrices by rows.
 struct BodyRecord {

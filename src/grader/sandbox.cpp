@@ -283,11 +283,12 @@ std::string proc_text(const std::string& path) {
 }  // namespace
 
 pid_t Child::program() const {
+  if (program_ > 0) return program_;
   const pid_t reaper = first_inside();
   if (reaper <= 0) return pid_;
   // the namespace's first process waits for the program, its only child
   const std::string id = std::to_string(reaper);
-  return pid_t(std::strtol(proc_text("/proc/" + id + "/task/" + id + "/children").c_str(), nullptr, 10));
+  return program_ = pid_t(std::strtol(proc_text("/proc/" + id + "/task/" + id + "/children").c_str(), nullptr, 10));
 }
 
 bool Child::waits() const {

@@ -54,6 +54,7 @@ class Child {
   void await_inside();
   pid_t program() const;  // the program itself, as seen from here; 0 when that cannot be known
   pid_t pid_ = -1;           // bubblewrap, or the program itself
+  mutable pid_t program_ = 0;  // once known
   mutable pid_t inside_ = 0; // the first process inside the namespaces, as seen from here
   mutable int inside_handle_ = -1;  // a descriptor of that process, which its number cannot outlive
   mutable int information_ = -1;  // where bubblewrap tells it

@@ -45,6 +45,7 @@ struct Worker::Process {
   std::thread::id owner;          // the process dies with the thread that started it
   int channel = -1, printed = -1;  // ours: requests and replies; what it prints
   std::uint64_t serial = 0, printed_now = 0;
+  double spent = 0;  // of the call in hand: processor time and sleep, s
   std::string output;
   int starts = 0;
   std::optional<Death> never_starts;
@@ -114,26 +115,29 @@ struct Worker::Process {
     return {Death::Kind::exited, "ended the program itself (exit status " + std::to_string(code) + ")"};
   }
 
-  /// Waits for one reply; the process may take `seconds` of processor time for it.
-  std::variant<Reply, Death> await(double seconds) {
+  double cpu_now() const { return std::max(child.cpu_seconds(), 0.0); }
+
+  /// Waits for one reply; the process may take `seconds` of its own for it: processor time after `begun_at`, and sleep.
+  /// Sleep is what is seen asleep while no reply has come: a process that waits for a busy machine does not sleep.
+  Answer await(double seconds, double begun_at) {
     Reply reply;
     std::size_t have = 0;
     const auto begun = Clock::now();
-    double cpu_seen = -1, cpu_before = -1;
-    int waited = 0;  // looks in a row at which it used no processor and asked for none
-    for (;;) {
+    const double look = std::max(0.01, seconds / 50);
+    double slept = 0, cpu_before = begun_at, looked = 0;
+    for (spent = 0;;) {
       const double wall = std::chrono::duration<double>(Clock::now() - begun).count();
-      if (wall >= seconds) {
-        const double cpu = child.cpu_seconds();
-        if (cpu_seen < 0) cpu_seen = std::max(cpu, 0.0);
-        waited = child.waits() && cpu == cpu_before ? waited + 1 : 0;
+      if (wall - looked >= look) {
+        const double cpu = cpu_now();
+        if (cpu == cpu_before && child.waits()) slept += look;
         cpu_before = cpu;
-        if (wall >= wall_per_cpu * seconds || cpu - cpu_seen >= seconds || waited >= 4)
+        looked = wall;
+        spent = std::max(0.0, cpu - begun_at) + slept;
+        if (wall >= wall_per_cpu * seconds || spent >= seconds)
           return Death{Death::Kind::timeout, "took longer than " + seconds_words(seconds) + " for one call"};
       }
       pollfd fds[] = {{channel, POLLIN, 0}, {printed, POLLIN, 0}};
-      const double rest = wall < seconds ? seconds - wall : seconds / 4;
-      const int events = poll(fds, printed_now > limits.output_bytes ? 1 : 2, int(1000 * rest) + 1);
+      const int events = poll(fds, printed_now > limits.output_bytes ? 1 : 2, int(1000 * look) + 1);
       if (events < 0 && errno != EINTR) promise(false, "poll on a worker's descriptors works");
       if (events <= 0) continue;
       if (fds[1].revents & POLLIN) {
@@ -154,6 +158,7 @@ struct Worker::Process {
       }
     }
     drain();
+    spent = std::max(0.0, cpu_now() - begun_at) + slept;
     if (reply.magic != reply_magic || reply.serial != serial)
       return Death{Death::Kind::crash, "sent something that is no reply (it wrote to a descriptor not its own)"};
     return reply;
@@ -163,6 +168,7 @@ struct Worker::Process {
     request.magic = request_magic;
     request.serial = ++serial;
     printed_now = 0;
+    const double begun_at = cpu_now();
     const char* at = reinterpret_cast<const char*>(&request);
     for (std::size_t left = sizeof request; left > 0;) {
       const ssize_t n = send(channel, at, left, MSG_NOSIGNAL);
@@ -171,7 +177,7 @@ struct Worker::Process {
       at += n;
       left -= std::size_t(n);
     }
-    const Answer answer = await(seconds);
+    const Answer answer = await(seconds, begun_at);
     const Reply* reply = std::get_if<Reply>(&answer);
     if (reply == nullptr) return stop(), answer;
     switch (Status(reply->status)) {
@@ -201,20 +207,23 @@ struct Worker::Process {
   Answer call(const Request& request, double seconds) {
     if (running() && owner != std::this_thread::get_id()) stop();
     if (never_starts) return *never_starts;
+    if (running() && cpu_now() >= limits.total_s / 2) stop();  // no call pays for those before it
     if (!running()) {
       if (const auto launched = launch(); !launched)
         return *(never_starts = Death{Death::Kind::unstarted, launched.fault().what});
       // The first words a driver says, serial 0, before any call: from here on a fault is the function's own.
       serial = 0;
       printed_now = 0;
-      const auto hello = await(std::max(limits.call_s, 2.0));
+      const auto hello = await(std::max(limits.call_s, 2.0), 0);
       if (const Death* death = std::get_if<Death>(&hello)) {
         never_starts = Death{Death::Kind::unstarted, "before main (in a static constructor): " + death->words};
         stop();
         return *never_starts;
       }
     }
-    return ask(request, seconds > 0 ? seconds : limits.call_s);
+    Answer answer = ask(request, seconds > 0 ? seconds : limits.call_s);
+    answer.seconds = spent;
+    return answer;
   }
 };
 

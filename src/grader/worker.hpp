@@ -19,8 +19,8 @@ struct Constants {
 };
 
 struct Limits {
-  double call_s = 0.5;                           ///< processor time for one call; ten times that on the wall, twice where it only waits
-  double total_s = 60;                           ///< processor time of one process
+  double call_s = 0.5;                           ///< processor time and sleep of one call; ten times that on the wall
+  double total_s = 60;                           ///< processor time of one process; at half a new one takes its place
   std::uint64_t memory_bytes = 512u << 20;       ///< address space
   std::uint64_t output_bytes = 64u << 20;        ///< what it may print in one call; 64 KiB of it are kept
 };
@@ -40,7 +40,11 @@ struct Death {
   std::string words;  ///< "stopped by a segmentation fault (memory that is not its own)"
 };
 
-using Answer = std::variant<Reply, Death>;
+/// `seconds`: what the call took of its own, processor time and sleep, whatever else the machine was doing.
+struct Answer : std::variant<Reply, Death> {
+  using variant::variant;
+  double seconds = 0;
+};
 
 /// Runs a student's code in a process of its own, locked down as far as the machine allows. The process is
 /// started by the first call and again by the first call after a death; everything is killed and reaped by then.

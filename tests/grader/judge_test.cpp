@@ -158,27 +158,40 @@ TEST(Judge, AsksAFunctionThatTimedOutOnceMoreAndThenOnceACheck) {
   EXPECT_EQ(report.score, 90);
 }
 
-// What a submission may take in all: 40 call_seconds of slow calls, here 0.4 s, four of its calls.
-TEST(Judge, StopsASlowSubmissionAndSaysSo) {
+// What the calls of one function may take in all is 40 call_seconds, here 0.4 s, seven of its calls. Nobody else pays.
+TEST(Judge, StopsASlowFunctionAndNoOther) {
   int slow = 0;
   const auto student = [&](const Call& call) -> Answer {
-    if (call.request.function == std::uint32_t(Function::apply_force)) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(110));
-      ++slow;
-    }
-    return model({}, call);
+    Answer answer = model({}, call);
+    const bool force = call.request.function == std::uint32_t(Function::apply_force);
+    if (force) ++slow;
+    answer.seconds = force ? 0.0625 : 0.0002;
+    return answer;
   };
   Rubric rubric;
   rubric.limits.call_s = 0.01;
   const Report report = judged(student, 50, 1, rubric);
-  EXPECT_LE(slow, 4);
-  EXPECT_GE(slow, 1);
+  EXPECT_EQ(slow, 7);
   EXPECT_EQ(failing(report), (Ids{"force.sum", "force.torque", "force.pure"}));
   for (const CheckResult& r : report.results)
     if (r.check->function == StudentFunction::apply_force) {
       EXPECT_EQ(r.verdict, Verdict::timeout);
-      EXPECT_NE(r.words.find("0.4 s that slow calls of one submission may take in all are used up"), std::string::npos) << r.words;
+      EXPECT_NE(r.words.find("the 0.4 s that its calls may take in all are used up"), std::string::npos) << r.words;
     }
+}
+
+// A machine with other work makes every call wait: that is not the submission's time.
+TEST(Judge, ChargesNobodyForABusyMachine) {
+  const auto student = [&](const Call& call) -> Answer {
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));  // 25 ms for a call, as seen from outside
+    return model({}, call);
+  };
+  Rubric rubric;
+  rubric.limits.call_s = 0.01;
+  rubric.cases = 3;
+  Report report;
+  judge(student, all_there, rubric, {{"force.sum", "force.torque", "update.linear", "plane.impulse"}, -1}, report);
+  EXPECT_EQ(failing(report), Ids{}) << report_text(report, false);
 }
 
 // Not a stub as handed out, but as idle: bodies come back as they went in, answers are zero or the identity.

@@ -238,8 +238,9 @@ Status answer(const Request& r) {
       break;
     case Function::world_inertia: {
       Matrix3x3 inertia = Matrix3x3::Zero(), inverse = Matrix3x3::Zero();
-      status = call_world_inertia(*a, inertia, 0);
-      if (status == Status::done) status = call_world_inverse(*a, inverse, 0);
+      status = Status::done;  // one that does not return costs the other nothing
+      if ((r.flags & inverse_only) == 0) status = call_world_inertia(*a, inertia, 0);
+      if (status == Status::done && (r.flags & tensor_only) == 0) status = call_world_inverse(*a, inverse, 0);
       get(inertia, reply.world_inertia);
       get(inverse, reply.world_inverse_inertia);
       break;
