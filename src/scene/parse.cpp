@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -6,6 +8,7 @@
 #include <rigor/base/suggest.hpp>
 #include <rigor/integrators/method.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/scene/scene.hpp>
 #include <set>
 
@@ -178,27 +181,71 @@ Scene from_json(const Json& json) {
   return s;
 }
 
+// Text that counts the lines it has given away.
+struct Counted {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+  const char* at;
+  long* line;
+  reference operator*() const { return *at; }
+  Counted& operator++() {
+    *line += *at++ == '\n';
+    return *this;
+  }
+  bool operator==(const Counted& other) const { return at == other.at; }
+};
+
 // JSON lets a key stand twice, and the last one would win in silence; and a file may nest deeper than any scene does.
 Json parsed(const std::string& text) {
-  std::vector<std::set<std::string>> keys;
+  struct Level {
+    bool list;
+    std::size_t index;          // of the element under way, where it is a list
+    std::string key;            // of the value under way, where it is an object
+    std::set<std::string> keys;
+  };
+  std::vector<Level> levels;
+  long line = 1;
+  const auto place = [&] {  // of the innermost object
+    std::string where;
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) where = levels[i].list ? element(where, levels[i].index) : where.empty() ? levels[i].key : where + "." + levels[i].key;
+    return where.empty() ? "scene" : where;
+  };
   const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
+    using Event = Json::parse_event_t;
     if (depth > 16) refuse(Kind::malformed, "scene", "nests deeper than 16 levels");
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      refuse(Kind::malformed, "scene", "has the key '" + value.get<std::string>() + "' twice");
+    if (event == Event::object_start || event == Event::array_start) levels.push_back({event == Event::array_start, 0, "", {}});
+    if (event == Event::object_end || event == Event::array_end) levels.pop_back();
+    if (event == Event::key) {
+      levels.back().key = value.get<std::string>();
+      if (!levels.back().keys.insert(levels.back().key).second)
+        refuse(Kind::malformed, place(), "has the key '" + levels.back().key + "' twice, the second time in line " + std::to_string(line));
+    }
+    const bool whole = event == Event::value || event == Event::object_end || event == Event::array_end;
+    if (whole && !levels.empty() && levels.back().list) ++levels.back().index;
     return true;
   };
-  return Json::parse(text, watch);
+  return Json::parse(Counted{text.data(), &line}, Counted{text.data() + text.size(), &line}, watch);
 }
 
 }  // namespace
 
-Outcome<bool> check_scene(const Scene& s) {
+std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const Method& m : methods()) names.push_back(std::string(m.name));
+  for (const Method& method : methods()) names.emplace_back(method.name);
+  return names;
+}
+std::vector<std::string> scene_methods() {
+  std::vector<std::string> names = method_names();
   names.push_back("located");
-  if (find_method(s.method) == nullptr && s.method != "located") return Fault{Kind::unsupported, "method", "is none of the methods: '" + s.method + "'" + did_you_mean(s.method, names)};
+  return names;
+}
+
+Outcome<bool> check_scene(const Scene& s) {
+  if (const auto known = scene_methods(); std::find(known.begin(), known.end(), s.method) == known.end())
+    return Fault{Kind::unsupported, "method", fmt::format("is '{}', which is none of the methods{}; known: {}", s.method, did_you_mean(s.method, known), fmt::join(known, ", "))};
   if (!(s.dt >= least && s.dt <= most)) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", must be in [1e-30, 1e30] s"};
   if (!(s.until >= 0 && s.until <= most)) return Fault{Kind::out_of_range, "until", "is " + shown(s.until) + ", must be in [0, 1e30] s"};
   if (s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};

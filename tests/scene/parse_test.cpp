@@ -66,7 +66,7 @@ TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
       {"/forces/0/to", "0.5", "f.json: forces[0].to is 0.5, must be from `from` to 1e30 s"},
       {"/actions/0/do", "\"vacuum\"", "f.json: actions[0].do must be one of vacuum-on, vacuum-off, gravity-on, gravity-off"},
       {"/actions/1/at", "1", "f.json: actions[1].at is 1, must not be before the action above it"},
-      {"/method", "\"shet\"", "f.json: method is none of the methods: 'shet' (did you mean 'sheet'?)"},
+      {"/method", "\"shet\"", "f.json: method is 'shet', which is none of the methods (did you mean 'sheet'?)"},
       {"/dt", "0", "f.json: dt is 0, must be in [1e-30, 1e30] s"},
       {"/dt", "-0.01", "f.json: dt is -0.01, must be in [1e-30, 1e30] s"},
       {"/dt", "1e-20", "f.json: dt is 1e-20, gives more than 1e12 steps until 10"},
@@ -94,7 +94,10 @@ TEST(ParseScene, RefusesWhatIsNoScene) {
   EXPECT_EQ(parse_scene("null", "f.json").fault().text(), "f.json: scene must be an object {...}");
   EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1e999}", "f.json").fault().text(), "f.json: has a number that no double holds; numbers are in [-1e30, 1e30]");
   EXPECT_EQ(parse_scene("{\"planes\": []}", "f.json").fault().text(), "f.json: cuboids is missing");
-  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1, \"dt\": 2}", "f.json").fault().text(), "f.json: scene has the key 'dt' twice");
+  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1, \"dt\": 2}", "f.json").fault().text(), "f.json: scene has the key 'dt' twice, the second time in line 1");
+  EXPECT_EQ(parse_scene("{\"planes\": [[1], {\"a\": 0}],\n\"cuboids\": [{\"size\": [1, 2], \"x\": {}},\n {\"mass\": 1,\n  \"mass\": 2}]}", "f.json").fault().text(),
+            "f.json: cuboids[1] has the key 'mass' twice, the second time in line 4");
+  EXPECT_EQ(parse_scene("{\"a\": {\"b\": [[{}, {\"c\": 1, \"c\": 2}]]}}", "f.json").fault().text(), "f.json: a.b[0][1] has the key 'c' twice, the second time in line 1");
   EXPECT_EQ(parse_scene(std::string(100000, '['), "f.json").fault().text(), "f.json: scene nests deeper than 16 levels");
   EXPECT_TRUE(parse_scene("{\"cuboids\": []}", "f.json")) << "an empty world is a world";
 }
