@@ -50,12 +50,18 @@ std::string listed(const std::vector<std::string>& names) {
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
+// Which checks a student failed, in words.
+std::string failed_text(const ClassRow& row) {
+  const std::vector<std::string> ids = failed_checks(row);
+  const auto with_points = std::count_if(checks().begin(), checks().end(), [](const Check& check) { return check.points > 0; });
+  return long(ids.size()) == with_points ? "all " + std::to_string(with_points) : listed(ids);
+}
 
 // Students who failed the same checks, and which of them with the same numbers to the last digit.
 std::string same_failures(const std::vector<ClassRow>& rows) {
   std::map<std::string, std::map<std::string, std::vector<std::string>>> groups;  // failed checks, then numbers
   for (const ClassRow& r : rows)
-    if (!r.fingerprint.empty()) groups[listed(failed_checks(r))][r.fingerprint].push_back(r.entry.student);
+    if (!r.fingerprint.empty()) groups[failed_text(r)][r.fingerprint].push_back(r.entry.student);
   std::vector<std::vector<std::string>> table;
   for (const auto& [failed, prints] : groups) {
     std::vector<std::string> everybody, alike;
@@ -76,7 +82,7 @@ std::string counted(const std::map<std::string, int>& counts, const std::string&
   if (counts.empty()) return "<p>None.</p>";
   const auto list = most_frequent(counts);
   std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + what + ", by number of students\"><table><thead><tr><th scope=\"col\">" + what +
-                     "</th><th scope=\"col\">it says</th><th scope=\"col\" class=\"n\">students</th><th scope=\"col\" aria-hidden=\"true\"></th></tr></thead><tbody>\n";
+                     "</th><th scope=\"col\">it says</th><th scope=\"col\" class=\"n\">students</th><th scope=\"col\" class=\"bar\" aria-hidden=\"true\"></th></tr></thead><tbody>\n";
   for (const auto& [id, n] : list)
     html += "<tr><td>" + escape(id) + "</td><td>" + escape(says(id)) + "</td><td class=\"n\">" + std::to_string(n) + "</td><td class=\"bar\" aria-hidden=\"true\"><i style=\"width:" +
             brief(100.0 * n / list.front().second) + "%\"></i></td></tr>\n";
@@ -144,12 +150,11 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
       continue;
     }
     scores.push_back(r.score);
-    std::string checks_text, named_text;
-    for (const std::string& id : failed_checks(r)) ++failures[id], checks_text += (checks_text.empty() ? "" : ", ") + id;
-    for (const std::string& id : r.diagnoses) ++named[id], named_text += (named_text.empty() ? "" : ", ") + id;
+    for (const std::string& id : failed_checks(r)) ++failures[id];
+    for (const std::string& id : r.diagnoses) ++named[id];
     const std::string remarks = std::string(r.entry.late ? "late " : "") + (r.entry.versions > 1 ? "version " + std::to_string(r.entry.version) + " of " + std::to_string(r.entry.versions) : "");
     list += "<tr><td><a href=\"" + escape(safe_name(safe_name(r.entry.student))) + "/report.html\">" + escape(r.entry.student) + "</a></td><td class=\"n\">" + brief(r.score) +
-            "</td><td>" + escape(checks_text) + "</td><td>" + escape(named_text) + "</td><td>" + escape(remarks) + "</td></tr>\n";
+            "</td><td>" + escape(failed_text(r)) + "</td><td>" + escape(listed(r.diagnoses)) + "</td><td>" + escape(remarks) + "</td></tr>\n";
   }
   list += "</tbody></table></div>\n";
   std::sort(scores.begin(), scores.end());

@@ -48,7 +48,7 @@ a{color:var(--link)}a:focus-visible,summary:focus-visible,.scroll:focus-visible{
 code,pre{font:0.9em/1.45 ui-monospace,"DejaVu Sans Mono","Liberation Mono",monospace}
 pre{background:var(--card);border:1px solid var(--line);border-radius:6px;padding:.7rem;overflow-x:auto;white-space:pre-wrap;overflow-wrap:anywhere}
 .scroll{overflow-x:auto}table{border-collapse:collapse;margin:.6rem 0;font-variant-numeric:tabular-nums}
-caption{text-align:left;color:var(--soft);padding:.2rem 0}th,td{border-bottom:1px solid var(--line);padding:.28rem .6rem;text-align:left;vertical-align:top}
+p.caption{color:var(--soft);margin:.6rem 0 0}p.caption+table{margin-top:.2rem}th,td{border-bottom:1px solid var(--line);padding:.28rem .6rem;text-align:left;vertical-align:top}
 th{font-weight:600}td.n,th.n{text-align:right}.card{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:.8rem 1rem;margin:.8rem 0}
 .good{color:var(--good)}.bad{color:var(--bad)}.warn{color:var(--warn)}.soft{color:var(--soft)}
 figure{margin:1rem 0}figcaption{color:var(--soft);font-size:.92rem}svg{max-width:100%;height:auto}
@@ -57,6 +57,7 @@ svg text{fill:var(--ink);font:12px system-ui,"DejaVu Sans",sans-serif}svg .grid{
 math{font-size:1.15em;font-family:"Cambria Math","STIX Two Math","Latin Modern Math","Noto Sans Math",math}
 .badge{display:inline-block;border:1px solid currentColor;border-radius:1rem;padding:0 .55rem;font-size:.82rem;font-weight:600;white-space:nowrap}
 td.bar{min-width:8rem}td.bar i{display:block;height:.8rem;border-radius:3px;background:var(--s0)}
+@media(max-width:40rem){th,td{padding:.28rem .35rem}.bar{display:none}svg text{font-size:17px}}
 @media print{body{max-width:none;padding:0}details{display:block}pre{white-space:pre-wrap}.card,figure,tr{break-inside:avoid}}
 )css";
 
@@ -114,9 +115,9 @@ std::string table(const std::vector<std::string>& header, const std::vector<std:
     return std::find(numbers.begin(), numbers.end(), column) != numbers.end() ? " class=\"n\"" : "";
   };
   std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
-                     escape(caption.empty() ? "table" : caption) + "\"><table>";
-  if (!caption.empty()) html += "<caption>" + escape(caption) + "</caption>";
-  html += "<thead><tr>";
+                     escape(caption.empty() ? "table" : caption) + "\">";
+  if (!caption.empty()) html += "<p class=\"caption\">" + escape(caption) + "</p>";  // as wide as the page, where a <caption> is as wide as the table
+  html += "<table><thead><tr>";
   for (std::size_t i = 0; i < header.size(); ++i)
     html += std::string("<th scope=\"col\"") + mark(i) + ">" + escape(header[i]) + "</th>";
   html += "</tr></thead><tbody>\n";

@@ -18,11 +18,12 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-std::string tick_text(double value, bool logarithmic) {
-  if (!logarithmic) return number("%g", value);
-  const int exponent = int(std::lround(std::log10(value)));
-  if (exponent >= -2 && exponent <= 3) return number("%g", value);
-  return "1e" + std::to_string(exponent);
+// All ticks of an axis in one way: by exponent where a logarithmic one has a small or a large one.
+std::vector<std::string> tick_texts(const std::vector<double>& ticks, bool logarithmic) {
+  const bool by_exponent = logarithmic && std::any_of(ticks.begin(), ticks.end(), [](double t) { return t < 0.999e-3 || t >= 0.999e4; });
+  std::vector<std::string> texts;
+  for (const double t : ticks) texts.push_back(by_exponent ? "1e" + std::to_string(std::lround(std::log10(t))) : number("%g", t));
+  return texts;
 }
 
 struct Axis {
@@ -76,19 +77,21 @@ std::string marker(std::size_t kind, double x, double y, const std::string& colo
 
 std::string frame(const Axis& x, const Axis& y, const Plot& plot) {
   std::string svg;
-  for (const double v : ticks(x.low, x.high, x.logarithmic)) {
-    const std::string at = number("%.1f", x.at(v));
+  const auto x_ticks = ticks(x.low, x.high, x.logarithmic), y_ticks = ticks(y.low, y.high, y.logarithmic);
+  const auto x_texts = tick_texts(x_ticks, x.logarithmic), y_texts = tick_texts(y_ticks, y.logarithmic);
+  for (std::size_t i = 0; i < x_ticks.size(); ++i) {
+    const std::string at = number("%.1f", x.at(x_ticks[i]));
     svg += "<line class=\"grid\" x1=\"" + at + "\" x2=\"" + at + "\" y1=\"" + number("%g", top) + "\" y2=\"" +
            number("%g", height - bottom) + "\"/>";
     svg += "<text x=\"" + at + "\" y=\"" + number("%g", height - bottom + 17) + "\" text-anchor=\"middle\">" +
-           tick_text(v, x.logarithmic) + "</text>";
+           x_texts[i] + "</text>";
   }
-  for (const double v : ticks(y.low, y.high, y.logarithmic)) {
-    const std::string at = number("%.1f", y.at(v));
+  for (std::size_t i = 0; i < y_ticks.size(); ++i) {
+    const std::string at = number("%.1f", y.at(y_ticks[i]));
     svg += "<line class=\"grid\" y1=\"" + at + "\" y2=\"" + at + "\" x1=\"" + number("%g", left) +
            "\" x2=\"" + number("%g", width - right) + "\"/>";
-    svg += "<text y=\"" + number("%.1f", y.at(v) + 4) + "\" x=\"" + number("%g", left - 6) +
-           "\" text-anchor=\"end\">" + tick_text(v, y.logarithmic) + "</text>";
+    svg += "<text y=\"" + number("%.1f", y.at(y_ticks[i]) + 4) + "\" x=\"" + number("%g", left - 6) +
+           "\" text-anchor=\"end\">" + y_texts[i] + "</text>";
   }
   svg += "<rect class=\"axis\" fill=\"none\" x=\"" + number("%g", left) + "\" y=\"" + number("%g", top) +
          "\" width=\"" + number("%g", width - left - right) + "\" height=\"" +

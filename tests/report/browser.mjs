@@ -113,8 +113,16 @@ test('plots answer to the pointer', async () => {
   const over = page.locator('.hover .u-over').first();
   await over.scrollIntoViewIfNeeded();
   const at = await over.boundingBox();
+  // the legend: names alone, then names and values; nothing moves
+  const legend = page.locator('.hover .u-legend').first(), colons = () => legend.locator('th').evaluateAll(all => all.map(th => getComputedStyle(th, '::after').visibility));
+  const where = () => legend.locator('th').evaluateAll(all => all.map(th => [th.getBoundingClientRect().x, th.getBoundingClientRect().y].map(Math.round)));
+  const away = await where();
+  assert.deepEqual([...new Set(await colons())], ['hidden']);
+  assert.ok(!await legend.locator('tr').first().isVisible(), 'no x before the pointer is there');
   await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
-  assert.match(await page.locator('.hover .u-legend').first().textContent(), /step h, s0\.0\d/);
+  assert.match(await legend.textContent(), /step h, s0\.0\d/);
+  assert.deepEqual([...new Set(await colons())], ['visible']);
+  assert.ok(Math.max(...(await where()).flat().map((x, i) => Math.abs(x - away.flat()[i]))) <= 1);
   const curve = page.locator('.hover').first().locator('.u-legend .u-series').nth(1), is_off = () => curve.evaluate(c => c.classList.contains('u-off'));
   await curve.locator('th').click();
   assert.ok(await is_off(), 'a click on its name hides a curve');

@@ -76,6 +76,9 @@ test('replay plays, pauses, steps and draws', async () => {
 test('replay shows two methods over each other and side by side', async () => {
   const page = await open(replay('beside', 'spin-box', '--beside', 'rk4'), {colorScheme: 'dark'});
   assert.deepEqual(await page.locator('#legend li').allTextContents(), ['sheet (solid)', 'rk4 (see-through)']);
+  const marks = await page.locator('#energy .u-series .u-marker').evaluateAll(all => all.map(mark => mark.style.border));
+  assert.equal(marks.length, 6);
+  assert.equal(new Set(marks).size, 6, 'every curve has colour and dashes of its own: ' + marks.join(' '));
   await scrub(page, 120);
   const sheet = await page.locator('#state tbody td').allTextContents();
   await page.selectOption('#run', '1');

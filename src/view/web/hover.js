@@ -5,7 +5,9 @@ import 'uplot/dist/uPlot.min.css';
 import './hover.css';
 
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const short = x => x == null ? '' : x === 0 ? '0' : Math.abs(x) >= 1e4 || Math.abs(x) < 1e-3 ? x.toExponential(2).replace('e+', 'e') : String(+x.toPrecision(4));
+const exponential = x => x.toExponential(2).replace('e+', 'e');
+// a point's value; an axis writes all its ticks in one way, by exponent where one of them is small or large
+const short = x => x == null ? '' : x === 0 ? '0' : Math.abs(x) >= 1e4 || Math.abs(x) < 1e-3 ? exponential(x) : String(+x.toPrecision(4));
 
 // uPlot wants one list of x for all curves
 function aligned(series) {
@@ -20,17 +22,23 @@ function draw(figure) {
   host.setAttribute('role', 'img');
   host.setAttribute('aria-label', still.querySelector('desc').textContent);
   still.before(host);
+  const ticks_text = ticks => {
+    const sizes = ticks.map(Math.abs).filter(t => t > 0), by_exponent = sizes.some(t => t >= 1e4 || t < 1e-3 * 0.999);
+    return ticks.map(t => t == null ? '' : !by_exponent || t === 0 ? String(+t.toPrecision(6)) : (+t.toPrecision(6)).toExponential().replace('e+', 'e'));
+  };
   const axis = {stroke: css('--ink'), grid: {stroke: css('--line'), width: 1}, ticks: {stroke: css('--line')}, font: '12px sans-serif', labelFont: '13px sans-serif'};
-  const decades = (u, ticks) => ticks.map(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? short(t) : '');
+  const decades = (u, ticks) => ticks.map(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? t : null);
+  const axis_of = (label, log) => ({...axis, label, values: (u, ticks) => ticks_text(ticks),
+    ...log && {filter: decades, grid: {...axis.grid, filter: decades}, ticks: {...axis.ticks, filter: decades}}});
   const scale = log => log ? {distr: 3, range: (u, low, high) => [low / 1.4, high * 1.4]} : {};
   const size = () => ({width: Math.min(720, figure.clientWidth), height: 400});
   const chart = new uPlot({
     ...size(), scales: {x: {time: false, ...scale(plot.log_x)}, y: scale(plot.log_y)}, cursor: {drag: {x: true, y: true}},
-    axes: [{...axis, label: plot.x_label, values: plot.log_x ? decades : (u, t) => t.map(short)},
-           {...axis, label: plot.y_label, size: 70, values: plot.log_y ? decades : (u, t) => t.map(short)}],
+    legend: {markers: {dash: (u, i) => plot.series[i - 1]?.dashed ? 'dashed' : 'solid'}},
+    axes: [axis_of(plot.x_label, plot.log_x), {...axis_of(plot.y_label, plot.log_y), size: 70}],
     series: [{label: plot.x_label, value: (u, x) => short(x)}, ...plot.series.map(s => ({
       label: s.name, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dashed ? [5, 4] : [], spanGaps: true,
-      points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => short(y)}))],
+      points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => y && plot.log_y ? exponential(y) : short(y)}))],
   }, aligned(plot.series), host);
   figure.classList.add('hovers');
   new ResizeObserver(() => chart.setSize(size())).observe(figure);

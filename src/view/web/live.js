@@ -98,7 +98,8 @@ function listen(made) {
 }
 
 // Numbers ---------------------------------------------------------------------------------------------------------------
-const plot = new TimePlot($('energy'), [{name: 'energy', color: 0, run: 0}, {name: 'accounted for', color: 1, run: 1}]);
+const window_s = 20;  // of the plot
+const plot = new TimePlot($('energy'), [{name: 'energy', color: '--s0', dash: 0}, {name: 'accounted for', color: '--s1', dash: 1}], undefined, window_s);
 const past = [[], [], []];
 plot.line.remove();  // what is shown is always now
 const percent = (a, b) => b ? (100 * a / b).toFixed(1) + ' %' : 'none';
@@ -148,7 +149,7 @@ function set_status(told) {
   const e = told.energy, times = past[0];
   if (times.length && told.t <= times.at(-1)) return;
   [told.t, e.now, e.start + e.work + e.correction + e.switched - e.restitution_loss - e.friction_loss].forEach((x, i) => past[i].push(x));
-  while (times[0] < told.t - 20) past.forEach(values => values.shift());
+  while (times[0] < told.t - window_s) past.forEach(values => values.shift());
   plot.set(times, past.slice(1));
 }
 

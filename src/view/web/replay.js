@@ -1,6 +1,6 @@
 // The replay page: unpacks the runs that lie in the page and shows the moment asked for.
 import './view.css';
-import {Crowd, ghosts, Quaternion, Stage, Vector3} from './stage.js';
+import {Crowd, ghost_color, Quaternion, Stage, Vector3} from './stage.js';
 import {TimePlot} from './plots.js';
 
 const $ = id => document.getElementById(id);
@@ -79,15 +79,17 @@ runs.forEach((run, i) => {
   which.add(new Option(run.name, i));
   if (runs.length < 2) return;
   const item = $('legend').appendChild(document.createElement('li')), swatch = item.appendChild(document.createElement('i'));
-  swatch.style.background = i ? ghosts[i % 4 || 1] : 'linear-gradient(90deg,#4e8fd0,#e08a3c,#58a866)';
+  swatch.style.background = i ? ghost_color(i) : 'linear-gradient(90deg,#4e8fd0,#e08a3c,#58a866)';
   item.append(i ? `${run.name} (see-through)` : `${run.name} (solid)`);
 });
 which.parentElement.hidden = $('beside').parentElement.hidden = runs.length < 2;
 $('scrub').max = moments.length - 1;
 
+// of one run each curve has a colour; of several each run has one, as its cuboids do, and each curve its dashes
+const curve_color = (run, curve) => runs.length === 1 ? `--s${curve}` : run ? ghost_color(run) : '--s0';
 const label = (name, run) => runs.length > 1 ? `${name}, ${run.name}` : name;
 const plots = [['energy', ['total', 'kinetic', 'potential']], ['momentum', ['linear', 'angular']]].map(([id, names]) => {
-  const plot = new TimePlot($(id), runs.flatMap((run, r) => names.map((name, k) => ({name: label(name, run), color: k, run: r}))), t => { pause(); snap(t); });
+  const plot = new TimePlot($(id), runs.flatMap((run, r) => names.map((name, k) => ({name: label(name, run), color: curve_color(r, k), dash: runs.length > 1 ? k : 0}))), t => { pause(); snap(t); });
   const of_run = (run, name) => runs.length === 1 ? run[id][name] : Array.from(moments, t => t > run.t[run.t.length - 1] + 1e-9 ? null : run[id][name][frame_at(run.t, t)]);
   plot.set(moments, runs.flatMap(run => names.map(name => of_run(run, name))));
   return plot;

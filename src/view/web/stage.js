@@ -7,7 +7,9 @@ import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {mergeGeometries} from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const ghosts = ['', '#e6007a', '#00a3a3', '#7a5cff'];  // further runs, see-through, one colour each
+const ghosts = ['#e6007a', '#00938f', '#7a5cff', '#b06a00', '#5b8a00', '#c0392b', '#2f7fd6'];
+/// The colour of a further run (1, 2, ...): of its cuboids, which are see-through, and of its curves.
+export const ghost_color = index => ghosts[(index - 1) % ghosts.length];
 const palette = ['#4e8fd0', '#e08a3c', '#58a866', '#a678c8', '#c9b04a', '#4bb0b0', '#d0708f', '#8f8f98', '#7a9a3a', '#b5654a'];
 const up = new Vector3(0, 1, 0);
 
@@ -60,13 +62,13 @@ export class Crowd {
     , bodies.length);
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
-    bodies.forEach((_, i) => this.mesh.setColorAt(i, new Color(ghost ? ghosts[index % 4 || 1] : palette[i % palette.length])));
+    bodies.forEach((_, i) => this.mesh.setColorAt(i, new Color(ghost ? ghost_color(index) : palette[i % palette.length])));
     this.group.add(this.mesh);
     const few = Math.min(bodies.length, 200);
     this.axes = ['#d0342c', '#2e9e44', '#2f62d9'].map(color => new Arrows(this.group, color, few, scale));
-    this.velocities = new Arrows(this.group, ghost ? ghosts[index % 4 || 1] : '#1f9fb0', 2000, scale);
-    this.impulses = new Arrows(this.group, ghost ? ghosts[index % 4 || 1] : '#e3472b', 2000, 1.3 * scale);
-    this.trail = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: ghost ? ghosts[index % 4 || 1] : css('--soft')}));
+    this.velocities = new Arrows(this.group, ghost ? ghost_color(index) : '#1f9fb0', 2000, scale);
+    this.impulses = new Arrows(this.group, ghost ? ghost_color(index) : '#e3472b', 2000, 1.3 * scale);
+    this.trail = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: ghost ? ghost_color(index) : css('--soft')}));
     this.trail.frustumCulled = false;
     this.group.add(this.trail);
     stage.scene.add(this.group);
@@ -198,4 +200,4 @@ export class Stage {
     if (hits.length) return {crowd: crowds.find(c => c.mesh === hits[0].object), body: hits[0].instanceId, point: hits[0].point};
   }
 }
-export {ghosts, Quaternion, Vector3};
+export {Quaternion, Vector3};
