@@ -252,6 +252,12 @@ std::string tool_hash() {
 
 Outcome<BuildResult> build(const Submission& submission, const BuildOptions& options) {
   const auto begun = std::chrono::steady_clock::now();
+  std::error_code none;
+  const fs::path room = fs::temp_directory_path(none);
+  if (none || access(room.c_str(), W_OK | X_OK) != 0) {
+    const char* asked = std::getenv("TMPDIR");
+    return Fault{Fault::Kind::unwritable, "TMPDIR", "is " + std::string(asked != nullptr ? asked : room.string()) + ", must be a directory that can be written to"};
+  }
   const auto tools = toolchain(options.cache.empty() ? default_cache() : options.cache, options.sanitize);
   if (!tools) return tools.fault();
   std::string asked;

@@ -137,6 +137,7 @@ void Sources::look_at_functions(const std::set<StudentFunction>& replaced) {
       status(f) = {Kind::not_compiled, begun->second};
     } else if (source == nullptr) {
       status(f) = {Kind::not_implemented, ""};
+      absent_.insert(f);
       note(full + " is not there");
     } else if (is_handed_out(f, std::string_view(source->text).substr(definition.body,
                                                                       definition.end - definition.body))) {
@@ -292,6 +293,9 @@ bool Sources::give_up(const std::string& name, const Diagnostic& e) {
     for (std::size_t i = 0; i < student_functions; ++i)
       if (d.name == student_function_name(StudentFunction(i)) && status(StudentFunction(i)).kind == Kind::compiled)
         status(StudentFunction(i)) = {Kind::not_compiled, shown(e)};
+  for (const StudentFunction f : absent_)  // a file that is no C++ at all may have been meant to hold them
+    if (name == std::string(student_function_name(f)).substr(0, std::string(student_function_name(f)).find(':')) + ".cpp" && status(f).kind == Kind::not_implemented)
+      status(f) = {Kind::not_compiled, shown(e)};
   note(source.path + " does not compile, the handed-out file is used: " + shown(e));
   if (source.expected)
     source = from_kit(name);

@@ -70,6 +70,7 @@ class Sources {
 
   std::map<std::string, Source> sources_;
   std::array<FunctionStatus, student_functions> functions_;
+  std::set<StudentFunction> absent_;  // in no file of the submission
   bool own_constants_ = false;
   std::vector<std::string> notes_;
   std::string last_error_;

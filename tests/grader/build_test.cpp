@@ -221,6 +221,7 @@ TEST(Build, SaysWhereTheFirstErrorIsAsTheStudentKnowsIt) {
   EXPECT_THAT(error, HasSubstr("give the value a name first"));
   EXPECT_THAT(built(samples() / "partial" / "semicolon-missing").of(StudentFunction::update).error,
               HasSubstr("Cuboid.cpp:33: expected ';'"));
+  EXPECT_THAT(built(samples() / "partial" / "whole-file-broken").of(StudentFunction::update).error, HasSubstr("Cuboid.cpp:1: expected primary-expression"));
 }
 
 TEST(Build, OfTheHandedOutFilesFindsEveryFunctionUnimplemented) {
@@ -274,6 +275,16 @@ TEST(Build, KeepsASubmissionsOwnConstants) {
   const Answer answer = worker.call(generic(Function::constants));
   ASSERT_EQ(kind_of(answer), "reply");
   EXPECT_THAT(std::get<Reply>(answer).constants, ElementsAre(0.75, 0.6, 0.4, 0.5)) << "DELTA_T is not in theirs";
+}
+
+TEST(Build, NamesATemporaryDirectoryItCannotUse) {
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before != nullptr ? before : "";
+  setenv("TMPDIR", "/nonexist", 1);
+  const auto result = build(*open_submission(samples() / "kit"), {});
+  before != nullptr ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.fault().text(), "TMPDIR is /nonexist, must be a directory that can be written to");
 }
 
 TEST(Build, NamesACacheItCannotUse) {
