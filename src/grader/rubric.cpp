@@ -36,8 +36,17 @@ Outcome<bool> take_whole(const toml::node& node, const std::string& where, doubl
   return true;
 }
 
+// "; did you mean 'seed'?"
+std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
+  const std::string meant = did_you_mean(key, known);
+  return meant.empty() ? "" : "; " + meant.substr(2, meant.size() - 3);
+}
+
 Fault unknown(const std::string& where, const std::string& key, const std::vector<std::string>& known) {
-  return {Kind::unknown_key, where, "unknown key '" + key + "'" + did_you_mean(key, known)};
+  return {Kind::unknown_key, where + key, "is no key of a rubric" + suggestion(key, known)};
+}
+Fault unknown_check(const std::string& where, const std::string& id, const std::vector<std::string>& known) {
+  return {Kind::unknown_key, where, "there is no check '" + id + "'" + suggestion(id, known)};
 }
 
 Outcome<bool> read_limits(const toml::table& table, const std::string& where, Limits& limits) {
@@ -47,7 +56,7 @@ Outcome<bool> read_limits(const toml::table& table, const std::string& where, Li
     Outcome<bool> ok = name == "call_seconds"    ? take(node, where + "." + name, 0.01, 600, limits.call_s)
                        : name == "total_seconds" ? take(node, where + "." + name, 1, 3600, limits.total_s)
                        : name == "memory_mb"     ? take(node, where + "." + name, 64, 65536, memory_mb)
-                                                 : Outcome<bool>(unknown(where, name, {"call_seconds", "total_seconds", "memory_mb"}));
+                                                 : Outcome<bool>(unknown(where + ".", name, {"call_seconds", "total_seconds", "memory_mb"}));
     if (!ok) return ok;
   }
   limits.memory_bytes = std::uint64_t(memory_mb) << 20;
@@ -66,7 +75,7 @@ Outcome<bool> read_by_check(const toml::node& node, const std::string& where, Re
   if (!node.is_table()) return Fault{Kind::wrong_type, where, "must be a table: a line for each check"};
   for (const auto& [key, value] : *node.as_table()) {
     const std::string id(key.str());
-    if (find_check(id) == nullptr) return unknown(where, id, check_ids());
+    if (find_check(id) == nullptr) return unknown_check(where + ".\"" + id + "\"", id, check_ids());
     if (const Outcome<bool> ok = read(value, where + ".\"" + id + "\"", id); !ok) return ok;
   }
   return true;
@@ -94,7 +103,7 @@ Outcome<bool> read_groups(const toml::node& node, const std::string& where, Rubr
     for (const toml::node& item : *list.as_array()) {
       const auto id = item.value<std::string>();
       if (!id) return Fault{Kind::wrong_type, at, "must be a list of check ids in quotes"};
-      if (find_check(*id) == nullptr) return Fault{Kind::unknown_key, at, "there is no check '" + *id + "'" + did_you_mean(*id, check_ids())};
+      if (find_check(*id) == nullptr) return unknown_check(at, *id, check_ids());
       if (!rubric.groups.emplace(*id, group).second) return Fault{Kind::out_of_range, at, "'" + *id + "' is in '" + rubric.groups[*id] + "' already"};
     }
     order[(std::size_t(key.source().begin.line) << 16) + key.source().begin.column] = group;
@@ -124,10 +133,23 @@ Outcome<bool> read_accepted(const toml::node& node, const std::string& where, st
     if (!id) return Fault{Kind::wrong_type, where, "must be a list of misconception ids in quotes"};
     const Misconception* found = find_misconception(*id);
     if (found == nullptr)
-      return Fault{Kind::unknown_key, where, "there is no misconception '" + *id + "'" + did_you_mean(*id, ids)};
+      return Fault{Kind::unknown_key, where, "there is no misconception '" + *id + "'" + suggestion(*id, ids)};
+    const bool reading = std::any_of(variants().begin(), variants().end(), [&](const Misconception& v) { return v.id == *id; });
+    if (reading) return Fault{Kind::out_of_range, where, "'" + *id + "' is a reading that counts as right without it; refuse = [...] takes one away"};
     accepted.insert(found->same_as.empty() ? *id : found->same_as);
   }
   return true;
+}
+
+// "FILE:LINE: KEY:", where a key inside the table says its own line.
+Fault placed(Fault fault, const std::string& file, const toml::node& node, const toml::key& key) {
+  auto line = key.source().begin.line;
+  const std::string path = fault.where.substr(file.size() + 2);
+  if (const toml::table* table = node.as_table())
+    for (const auto& [inner, value] : *table)
+      if (path.ends_with("." + std::string(inner.str())) || path.ends_with("\"" + std::string(inner.str()) + "\"")) line = inner.source().begin.line;
+  fault.where = file + ":" + std::to_string(line) + ": " + path + ":";
+  return fault;
 }
 
 Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
@@ -174,17 +196,16 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
     } else if (name == "refuse") {
       ok = read_refused(node, where, rubric.refused);
     } else {
-      ok = unknown(file, name, {"title", "seed", "practice_seed", "cases", "tolerance", "accept", "refuse", "limits", "groups", "points", "tolerances", "case_counts", "visibility"});
+      ok = unknown(file + ": ", name, {"title", "seed", "practice_seed", "cases", "tolerance", "accept", "refuse", "limits", "groups", "points", "tolerances", "case_counts", "visibility"});
     }
-    if (!ok) return ok.fault();
+    if (!ok) return placed(ok.fault(), file, node, key);
   }
   if (rubric.seed == rubric.practice_seed) {
-    if (root.contains("practice_seed")) return Fault{Kind::out_of_range, file + ": practice_seed", "is the seed of the graded cases, must be another"};
+    if (root.contains("practice_seed"))
+      return placed({Kind::out_of_range, file + ": practice_seed", "is the seed of the graded cases, must be another"}, file, *root.get("practice_seed"), root.find("practice_seed")->first);
     ++rubric.practice_seed;
   }
-  double total = 0;
-  for (const Check& check : checks()) total += rubric.points_of(check);
-  if (!(total > 0)) return Fault{Kind::out_of_range, file + ": points", "add up to 0, must be > 0"};
+  if (!(rubric.total_points() > 0)) return Fault{Kind::out_of_range, file + ": points:", "add up to 0, must be > 0"};
   return rubric;
 }
 
@@ -200,10 +221,25 @@ const char* name(Visibility visibility) {
   return "";
 }
 
+double Rubric::total_points() const {
+  double total = 0;
+  for (const Check& check : checks()) total += points_of(check);
+  return total;
+}
+
+std::vector<std::string> warnings(const Rubric& rubric, bool for_students) {
+  std::vector<std::string> all;
+  const std::string file = rubric.path.empty() ? "the default rubric" : rubric.path;
+  if (std::fabs(rubric.total_points() - 100) > 1e-9) all.push_back(file + ": the points add up to " + number_text(rubric.total_points()) + ", not 100");
+  if (for_students && rubric.seed == Rubric{}.seed)
+    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default, with which everybody can draw the graded cases; write one of your own");
+  return all;
+}
+
 std::vector<std::string> Rubric::group_names() const {
   std::vector<std::string> names = group_order;
   for (const Check& check : checks())
-    if (std::find(names.begin(), names.end(), group_of(check)) == names.end()) names.push_back(group_of(check));
+    if (points_of(check) > 0 && std::find(names.begin(), names.end(), group_of(check)) == names.end()) names.push_back(group_of(check));
   return names;
 }
 
@@ -224,10 +260,14 @@ std::string Rubric::hash() const {
 
 Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name) {
   try {
-    return from_table(toml::parse(text, name), name);
+    auto rubric = from_table(toml::parse(text, name), name);
+    if (!rubric) return rubric;
+    Rubric read = std::move(rubric).value();
+    read.path = name;
+    return read;
   } catch (const toml::parse_error& error) {
     std::ostringstream where;
-    where << name << ": line " << error.source().begin.line << ":";
+    where << name << ":" << error.source().begin.line << ":";
     return Fault{Kind::malformed, where.str(), std::string(error.description())};
   }
 }
@@ -268,9 +308,9 @@ std::string default_rubric_text() {
     for (const Check& check : checks())
       if (check.group == group) out << "\"" << check.id << "\" = " << check.points << "  # " << check.says << "\n";
   }
-  out << "\n[tolerances]               # of single checks, multiplied with the one above: \"update.spin-rate\" = 2\n"
+  out << "\n[tolerances]               # of single checks, multiplied with the one above: \"update.torque\" = 2\n"
       << "[case_counts]              # of single checks in place of the number above: \"plane.impulse\" = 1000\n"
-      << "[visibility]               # on Gradescope: visible (where none is given), hidden, after_due_date, after_published\n";
+      << "[visibility]               # to students: \"update.torque\" = \"hidden\" (visible, hidden, after_due_date, after_published)\n";
   return out.str();
 }
 

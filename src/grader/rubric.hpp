@@ -10,7 +10,7 @@
 
 namespace rigor::grader {
 
-/// When students see a check's result, on a platform that can hide it (Gradescope).
+/// When students see a check's result. Gradescope knows all four; elsewhere students see what is visible.
 enum class Visibility { visible, hidden, after_due_date, after_published };
 const char* name(Visibility visibility);
 
@@ -18,6 +18,7 @@ const char* name(Visibility visibility);
 /// through the default line by line.
 struct Rubric {
   std::string title = "Rigid body dynamics";
+  std::string path;                        ///< it was read from; empty: the default
   std::uint64_t seed = 20260414;           ///< of the graded cases
   std::uint64_t practice_seed = 1;         ///< of the cases students practise on (the exported kit)
   int cases = 200;
@@ -58,13 +59,18 @@ struct Rubric {
     const auto it = groups.find(check.id);
     return it == groups.end() ? check.group : it->second;
   }
-  /// The headings of the report in their order.
+  double total_points() const;
+  /// The headings with points, in the order of the report.
   std::vector<std::string> group_names() const;
 };
 
 /// Reads a TOML rubric. Faults name the file and key; unknown keys and ids come with a suggestion.
 Outcome<Rubric> read_rubric(const std::filesystem::path& path);
 Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name);
+
+/// What an instructor should know before grading with it, one sentence each: points that do not add up to 100, the
+/// public default as the seed of the graded cases (`for_students`: of what is handed to a platform).
+std::vector<std::string> warnings(const Rubric& rubric, bool for_students);
 
 /// The default rubric as TOML, with a comment on every line: what `read_rubric` of it gives is `Rubric{}`.
 std::string default_rubric_text();

@@ -6,6 +6,7 @@
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <set>
+#include <regex>
 #include <sstream>
 
 namespace rigor::grader {
@@ -33,37 +34,73 @@ TEST(Rubric, TheDefaultTextReadsBackAsTheDefault) {
 
 TEST(Rubric, SaysWhatIsWrongAndWhere) {
   const std::vector<std::pair<std::string, std::string>> bad{
-      {"casez = 3", "r unknown key 'casez' (did you mean 'cases'?)"},
-      {"cases = 0", "r: cases is 0, must be in [1, 100000]"},
-      {"cases = \"many\"", "r: cases must be a number"},
-      {"tolerance = nan", "r: tolerance is nan, must be in [0.01, 1000]"},
-      {"tolerance = -inf", "r: tolerance is -inf, must be in [0.01, 1000]"},
-      {"[points]\n\"moi.body\" = -1", "r: points.\"moi.body\" is -1, must be in [0, 1e+06]"},
-      {"[points]\n\"moi.bodi\" = 1", "r: points unknown key 'moi.bodi' (did you mean 'moi.body'?)"},
-      {"accept = [\"plane.printed\"]", "r: accept there is no misconception 'plane.printed'"},
-      {"accept = 3", "r: accept must be a list of misconception ids"},
-      {"[limits]\ncall_seconds = 0", "r: limits.call_seconds is 0, must be in [0.01, 600]"},
-      {"points = 3", "r: points must be a table: a line for each check"},
-      {"cases = ", "r: line 1:"},
-      {"seed = 5\nseed = 6", "r: line 2:"},
-      {"seed = 5\npractice_seed = 5", "r: practice_seed is the seed of the graded cases, must be another"},
-      {"[limits]\nstack_mb = 8", "r: limits unknown key 'stack_mb'"},
-      {"[groups]\nA = []", "r: groups.\"A\" must be a list of at least one check id"},
-      {"[groups]\n\"A:B\" = [\"moi.body\"]", "r: groups.\"A:B\" must be of letters, digits, blanks, _ and -"},
-      {"[groups]\nA = [\"moi.body\"]\nB = [\"moi.body\"]", "r: groups.\"B\" 'moi.body' is in 'A' already"},
-      {"[groups]\nA = [\"moi.bodi\"]", "r: groups.\"A\" there is no check 'moi.bodi' (did you mean 'moi.body'?)"},
-      {"[visibility]\n\"moi.body\" = \"secret\"", "r: visibility.\"moi.body\" must be \"visible\", \"hidden\""},
-      {"[visibility]\nmoi = \"hidden\"", "r: visibility unknown key 'moi'"},
-      {"[tolerances]\n\"moi.body\" = 0", "r: tolerances.\"moi.body\" is 0, must be in [0.01, 1000]"},
-      {"[case_counts]\n\"moi.body\" = 0", "r: case_counts.\"moi.body\" is 0, must be in [1, 100000]"},
-      {"refuse = [\"rows\"]", "r: refuse must be readings a check can tell: friction-literal"},
-      {"tolerances = 2", "r: tolerances must be a table: a line for each check"},
+      {"casez = 3", "r:1: casez: is no key of a rubric; did you mean 'cases'?"},
+      {"cases = 0", "r:1: cases: is 0, must be in [1, 100000]"},
+      {"cases = \"many\"", "r:1: cases: must be a number"},
+      {"tolerance = nan", "r:1: tolerance: is nan, must be in [0.01, 1000]"},
+      {"tolerance = -inf", "r:1: tolerance: is -inf, must be in [0.01, 1000]"},
+      {"[points]\n\"moi.body\" = -1", "r:2: points.\"moi.body\": is -1, must be in [0, 1e+06]"},
+      {"[points]\n\"moi.bodi\" = 1", "r:2: points.\"moi.bodi\": there is no check 'moi.bodi'; did you mean 'moi.body'?"},
+      {"accept = [\"plane.printed\"]", "r:1: accept: there is no misconception 'plane.printed'"},
+      {"accept = 3", "r:1: accept: must be a list of misconception ids"},
+      {"[limits]\ncall_seconds = 0", "r:2: limits.call_seconds: is 0, must be in [0.01, 600]"},
+      {"points = 3", "r:1: points: must be a table: a line for each check"},
+      {"cases = ", "r:1:"},
+      {"seed = 5\nseed = 6", "r:2:"},
+      {"seed = 5\npractice_seed = 5", "r:2: practice_seed: is the seed of the graded cases, must be another"},
+      {"[limits]\nstack_mb = 8", "r:2: limits.stack_mb: is no key of a rubric"},
+      {"[groups]\nA = []", "r:2: groups.\"A\": must be a list of at least one check id"},
+      {"[groups]\n\"A:B\" = [\"moi.body\"]", "r:2: groups.\"A:B\": must be of letters, digits, blanks, _ and -"},
+      {"[groups]\nA = [\"moi.body\"]\nB = [\"moi.body\"]", "r:3: groups.\"B\": 'moi.body' is in 'A' already"},
+      {"[groups]\nA = [\"moi.bodi\"]", "r:2: groups.\"A\": there is no check 'moi.bodi'; did you mean 'moi.body'?"},
+      {"[visibility]\n\"moi.body\" = \"secret\"", "r:2: visibility.\"moi.body\": must be \"visible\", \"hidden\""},
+      {"[visibility]\nmoi = \"hidden\"", "r:2: visibility.\"moi\": there is no check 'moi'"},
+      {"[tolerances]\n\"moi.body\" = 0", "r:2: tolerances.\"moi.body\": is 0, must be in [0.01, 1000]"},
+      {"[case_counts]\n\"moi.body\" = 0", "r:2: case_counts.\"moi.body\": is 0, must be in [1, 100000]"},
+      {"refuse = [\"rows\"]", "r:1: refuse: must be readings a check can tell: friction-literal"},
+      {"tolerances = 2", "r:1: tolerances: must be a table: a line for each check"},
   };
   for (const auto& [text, message] : bad) {
     const auto rubric = parse_rubric(text, "r");
     ASSERT_FALSE(rubric) << text;
     EXPECT_EQ(rubric.fault().text().substr(0, message.size()), message);
   }
+}
+
+// What the comments of the default rubric give as an example is taken: "id" = value in the table it stands in, and lists.
+TEST(Rubric, EveryCommentedExampleIsAccepted) {
+  std::istringstream lines(default_rubric_text());
+  const std::regex table("^\\[([a-z_]+)\\]"), entry("(\"[a-z.-]+\" = (?:\"[a-z_]+\"|[0-9.]+))"), list("^([a-z]+) = \\[\\].*for example (\\[.*\\])");
+  int tried = 0;
+  std::string in;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, table)) in = match[1];
+    const std::size_t comment = line.find("# ");
+    const std::string said = comment == line.npos ? "" : line.substr(comment);
+    std::string text;
+    if (std::regex_search(line, match, list)) text = match[1].str() + " = " + match[2].str();
+    else if (std::regex_search(said, match, entry)) text = "[" + in + "]\n" + match[1].str();
+    if (text.empty()) continue;
+    ++tried;
+    const auto rubric = parse_rubric(text, "r");
+    EXPECT_TRUE(rubric) << text << ": " << (rubric ? "" : rubric.fault().text());
+  }
+  EXPECT_EQ(tried, 5) << "accept, refuse, tolerances, case_counts, visibility";
+}
+
+TEST(Rubric, AReadingThatCountsAnywayIsNotAcceptedInVain) {
+  const auto rubric = parse_rubric("accept = [\"friction-literal\"]", "r");
+  ASSERT_FALSE(rubric);
+  EXPECT_EQ(rubric.fault().text(), "r:1: accept: 'friction-literal' is a reading that counts as right without it; refuse = [...] takes one away");
+}
+
+TEST(Rubric, WarnsOfThePublicSeedAndOfPointsThatAreNotAHundred) {
+  EXPECT_EQ(warnings(Rubric{}, false).size(), 0u);
+  ASSERT_EQ(warnings(Rubric{}, true).size(), 1u);
+  EXPECT_NE(warnings(Rubric{}, true)[0].find("the public default"), std::string::npos);
+  const auto rubric = parse_rubric("seed = 77\n[points]\n\"moi.body\" = 24", "r");
+  EXPECT_EQ(warnings(*rubric, true), std::vector<std::string>{"r: the points add up to 120, not 100"});
 }
 
 // Every key of the default is one the reader takes, and has a comment beside it.
