@@ -11,12 +11,13 @@
 #include <rigor/cli/study.hpp>
 #include <rigor/cli/verify.hpp>
 #include <rigor/cli/view.hpp>
+#include <rigor/grader/report.hpp>
 
 namespace rigor::cli {
 
 void add_commands(CLI::App& app, int& exit_status) {
   add_demo(app, exit_status);
-  add_grade(app, exit_status);
+  add_grade(app, exit_status, grader::Reader::instructor);
   add_class(app, exit_status);
   add_audit(app, exit_status);
   add_export(app, exit_status);

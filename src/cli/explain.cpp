@@ -6,6 +6,7 @@
 #include <regex>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/grader/check.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
 #include <sstream>
@@ -249,6 +250,11 @@ void add_explain(CLI::App& app, int& exit_status) {
     if (!listed.empty()) return print_list(listed, options->json);
     const std::optional<Explanation> found = explain(texts(), options->id);
     if (!found) {
+      if (const grader::Check* check = grader::find_check(options->id); check != nullptr) {
+        std::fprintf(stderr, "rigor explain: '%s' is a check, its formula is '%s': rigor explain %s\n", options->id.c_str(), check->formula.c_str(), check->formula.c_str());
+        exit_status = 2;
+        return;
+      }
       std::fprintf(stderr, "rigor explain: there is no formula '%s'%s; 'rigor explain' lists them\n",
                    options->id.c_str(), did_you_mean(options->id, ids).c_str());
       exit_status = 2;

@@ -68,7 +68,7 @@ constexpr const char* practice = R"file(#!/bin/sh
 #   ./practice --out report                          a page to look at
 #   ./practice --check plane.impulse --case 17       one case again
 here=$(cd "$(dirname "$0")" && pwd)
-exec "$here/rigor/grade" "$here/src" "$@"
+RIGOR_PRACTICE=1 exec "$here/rigor/grade" "$here/src" "$@"
 )file";
 constexpr const char* kit_cmake = R"file(cmake_minimum_required(VERSION 3.10)
 project(assignment CXX)
@@ -208,6 +208,7 @@ int export_command(const Options& options) {
   }
   const auto rubric = grader::parse_rubric(text, options.rubric);
   if (!rubric) return bad_input(rubric.fault().text());
+  for (const std::string& warning : grader::warnings(*rubric, options.what != "kit")) std::fprintf(stderr, "rigor export: %s\n", warning.c_str());
   const auto written = options.what == "kit"      ? write_kit(options.directory, text, *rubric)
                        : options.what == "autolab" ? write_autolab(options.directory, text, *rubric)
                        : options.what == "gradescope"

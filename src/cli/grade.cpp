@@ -16,6 +16,7 @@ namespace rigor::cli {
 namespace {
 
 struct Options {
+  grader::Reader reader = grader::Reader::instructor;
   std::vector<std::string> paths;
   std::string rubric;
   std::uint64_t seed = 0;
@@ -72,10 +73,10 @@ Outcome<bool> write_failures(const std::string& why, const grader::Rubric& rubri
   return true;
 }
 
-Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const Options& options) {
+Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, const Options& options) {
   const auto submission = grader::open_submission(path);
   if (!submission) return submission.fault();
-  grader::Selection selection{options.checks, options.single_case};
+  grader::Selection selection{chosen, options.single_case};
   grader::BuildOptions build;
   build.jobs = options.jobs;
   build.sanitize = options.sanitize;
@@ -84,6 +85,8 @@ Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric&
   grader::Report filled = *report;
   filled.tool = std::string("rigor ") + RIGOR_VERSION;
   filled.submission_path = path;
+  filled.reader = options.reader;
+  filled.asked_cases = asked_cases;
   return filled;
 }
 
@@ -92,6 +95,14 @@ int grade_command(const Options& options) {
     std::fputs(grader::default_rubric_text().c_str(), stdout);
     return 0;
   }
+  const bool practises = options.reader == grader::Reader::practice;
+  if (practises && (options.seed != 0 || options.practice)) return bad_input("--seed: ./practice has one seed, the rubric's for practice; the course grades with another");
+  if (options.practice && options.seed != 0) return bad_input("--practice and --seed: both choose the cases, give one");
+  if (options.json && options.quiet) return bad_input("--json and --quiet: both say what is printed, give one");
+  if (options.out.empty() && options.formats.size() > 1)
+    return bad_input("--format: " + std::to_string(options.formats.size()) + " formats need a directory, --out DIR; without it give one, which is printed");
+  if (options.out.empty() && options.formats.size() == 1 && options.paths.size() > 1)
+    return bad_input("--format: of several submissions needs a directory, --out DIR; --json prints them as a list");
   if (options.paths.empty()) return bad_input("a submission directory is missing; example: rigor grade submissions/ada");
   grader::Rubric rubric;
   if (!options.rubric.empty()) {
@@ -99,17 +110,28 @@ int grade_command(const Options& options) {
     if (!read) return bad_input(read.fault().text());
     rubric = *read;
   }
+  for (const std::string& warning : grader::warnings(rubric, false))
+    if (!practises) std::fprintf(stderr, "rigor grade: %s\n", warning.c_str());
   if (options.practice) rubric.seed = rubric.practice_seed;
   if (options.seed != 0) rubric.seed = options.seed;
+  const int asked_cases = options.cases > rubric.cases ? options.cases : 0;  // a replay needs no more than the rubric's
   if (options.cases != 0) rubric.cases = options.cases;
   std::vector<std::string> ids;
   for (const grader::Check& check : grader::checks()) ids.push_back(check.id);
   for (const std::string& id : options.checks)
     if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids) + "; 'rigor grade --print-rubric' lists them");
   int most_cases = 0;
-  for (const grader::Check& check : grader::checks())
-    if (options.checks.empty() || std::find(options.checks.begin(), options.checks.end(), check.id) != options.checks.end())
-      most_cases = std::max(most_cases, rubric.cases_of(check));
+  std::vector<std::string> chosen = options.checks;
+  for (const grader::Check& check : grader::checks()) {
+    const bool asked = std::find(options.checks.begin(), options.checks.end(), check.id) != options.checks.end();
+    if (!asked && !options.checks.empty()) continue;
+    most_cases = std::max(most_cases, rubric.cases_of(check));
+    if (!practises) continue;  // the kit leaves out what students are not to see
+    const bool visible = rubric.visibility_of(check) == grader::Visibility::visible;
+    if (asked && !visible) return bad_input("--check: '" + check.id + "' is not part of the practice");
+    if (!asked && visible) chosen.push_back(check.id);
+  }
+  if (chosen.empty() && practises) return bad_input("no check of this rubric is visible to students");
   if (options.single_case >= most_cases)
     return bad_input("--case: is " + std::to_string(options.single_case) + ", must be in [0, " + std::to_string(most_cases - 1) + "]; --cases N asks for more");
   for (const std::string& format : options.formats)
@@ -118,12 +140,13 @@ int grade_command(const Options& options) {
   const bool autolab = printed != nullptr && std::string(printed->name) == "autolab";
 
   int graded = 0;
+  const bool list = options.json && printed == nullptr && options.paths.size() > 1;
   const bool colour = isatty(STDOUT_FILENO) != 0;
   for (const std::string& path : options.paths) {
     const bool for_a_platform = !options.out.empty() && options.paths.size() == 1;
     if (for_a_platform)
       if (const auto written = write_failures("the grader did not finish", rubric, options); !written) return bad_input(written.fault().text());
-    const auto report = grade_one(path, rubric, options);
+    const auto report = grade_one(path, rubric, chosen, asked_cases, options);
     if (!report || interrupted() != 0) {
       const std::string why = interrupted() != 0 ? path + ": interrupted, not graded" : report.fault().text();
       std::fprintf(stderr, "rigor grade: %s\n", why.c_str());
@@ -137,17 +160,19 @@ int grade_command(const Options& options) {
     if (!options.out.empty())
       if (const auto written = write_formats(*report, options, options.paths.size() > 1); !written) return bad_input(written.fault().text());
     if (printed != nullptr) std::fputs(printed->write(*report).c_str(), stdout);
-    else if (options.json) std::fputs(grader::report_json(*report).c_str(), stdout);
+    else if (options.json) std::fputs(((list ? graded == 1 ? "[\n" : ",\n" : "") + grader::report_json(*report)).c_str(), stdout);
     else if (options.quiet) std::printf("%s %g of %g\n", report->submission.c_str(), report->score, report->max_score);
     else std::fputs(grader::report_text(*report, colour).c_str(), stdout);
   }
+  if (list) std::fputs(graded == 0 ? "[]\n" : "]\n", stdout);
   return autolab || graded == int(options.paths.size()) ? 0 : 2;  // Autolab takes any other status for a broken grader
 }
 
 }  // namespace
 
-void add_grade(CLI::App& app, int& exit_status) {
+void add_grade(CLI::App& app, int& exit_status, grader::Reader reader) {
   auto options = std::make_shared<Options>();
+  options->reader = reader;
   CLI::App* command = app.add_subcommand("grade", "grade submissions: points, the smallest failing case, the likely mistake");
   command->add_option("PATH", options->paths, "directory, .zip or .tar of a submission");
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");
@@ -155,12 +180,12 @@ void add_grade(CLI::App& app, int& exit_status) {
   command->add_flag("--practice", options->practice, "the rubric's cases for practice instead of the graded ones");
   command->add_option("--cases", options->cases, "random inputs for each check")->check(in_range(1, 100000));
   command->add_option("--check", options->checks, "only this check; may be given several times");
-  command->add_option("--case", options->single_case, "only this case: replays a counterexample")->check(in_range(0, 100000));
+  command->add_option("--case", options->single_case, "only this case, of every check that runs: replays a counterexample")->check(in_range(0, 100000));
   command->add_option("--format", options->formats, "text, json, html, junit, gradescope, autolab; one of them without --out is printed")->delimiter(',');
   command->add_option("--out", options->out, "directory for the reports: text, json and html unless --format says otherwise");
   command->add_option("--jobs", options->jobs, "compilers at a time")->check(in_range(1, 256));
   command->add_flag("--sanitize", options->sanitize, "build with sanitizers; their first finding is shown as advice");
-  command->add_flag("--json", options->json, "print report.json");
+  command->add_flag("--json", options->json, "print report.json; a list of them for several submissions");
   command->add_flag("--quiet", options->quiet, "print one line a submission");
   command->add_flag("--print-rubric", options->print_rubric, "print the default rubric and stop");
   command->footer("Example:  rigor grade submissions/ada --out reports/ada");

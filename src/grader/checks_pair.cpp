@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdio>
 #include <rigor/formulas/momentum.hpp>
 #include <rigor/grader/check.hpp>
 #include <rigor/grader/contacts.hpp>
@@ -152,6 +154,14 @@ Judgement judge_scene(const Scenario&, const std::vector<Reply>& r, bool) {
   Judgement j;
   j.add("every number stayed finite (1: yes)", "1", r[0].scene[3], 1, 0.5);
   j.add("centre behind a plane", "m", std::fmax(0.0, -r[0].scene[0]), 0, 1e-6);
+  if (r[0].scene[3] == 1) return j;
+  for (const auto& [time, energy, momentum, angular] : r[0].trace)
+    if (time > 0 && !std::isfinite(energy + momentum + angular)) {
+      char text[64];
+      std::snprintf(text, sizeof text, "the scene blew up at t = %.3g s", time);
+      j.note = text;
+      break;
+    }
   return j;
 }
 
@@ -180,7 +190,7 @@ std::vector<Check> pair_checks() {
       {"pair.angular-momentum", group, pair, "momentum.angular", "the total angular momentum is kept", 3,
        {"pair.first-no-spin", "pair.second-no-spin", "pair.no-spin", "pair.spin-reversed", "pair.inverse-body", "pair.first-only", "pair.second-only"},
        plastic(true), ask, judge_angular, true},
-      {"scene.runs", group, pair, "step.semi_implicit", "information: the assignment's scene runs 20 s, finite, and nothing leaves the room", 0, {},
+      {"scene.runs", "Scene", pair, "step.semi_implicit", "information: the assignment's scene runs 20 s, finite, and nothing leaves the room", 0, {},
        [](Random&, int number) {
          Scenario s;
          s.variant = number;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <rigor/grader/diagnose.hpp>
 #include <rigor/grader/misconceptions.hpp>
@@ -41,7 +42,12 @@ int cases_of(const Group& group) {
   for (const History* h : group) sum += comparable(*h->result->check) ? int(h->records.size()) : 0;
   return sum;
 }
-bool failed(const History& h) { return h.result->verdict == Verdict::fail; }
+bool failed(const History& h) { return h.result->verdict == Verdict::fail && h.result->diagnosis.empty(); }
+
+// Within the derived bounds on every case: it fails by a tolerance below what a float keeps, and no mistake explains that.
+bool only_rounds(const History& h) {
+  return std::all_of(h.records.begin(), h.records.end(), [&](const Record& r) { return h.result->check->judge(r.inputs, r.replies, false).ratio() <= 1; });
+}
 
 // Legitimate readings that change numbers of this function, to be tried together with each mistake.
 std::vector<std::string> readings(StudentFunction f) {
@@ -112,6 +118,12 @@ void diagnose(std::vector<History>& histories) {
   for (auto& entry : groups) {  // in the order of the assignment: helpers first
     const StudentFunction function = entry.first;
     Group& group = entry.second;  // no structured binding: clang 14 cannot capture one
+    for (History* h : group)
+      if (failed(*h) && only_rounds(*h)) {
+        char words[80];
+        std::snprintf(words, sizeof words, "right but for rounding: %.2g times the allowed error", h->result->worst_ratio);
+        h->result->diagnosis.push_back({"relation", words, int(h->records.size()), int(h->records.size())});
+      }
     if (std::none_of(group.begin(), group.end(), [](const History* h) { return failed(*h); })) continue;
 
     // right given the mistakes found in what it calls?

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <nlohmann/json.hpp>
 #include <rigor/grader/formats.hpp>
 #include <rigor/report/html.hpp>
@@ -17,18 +18,22 @@ std::string number(double x) {
   return text;
 }
 
-// What a student is told of one check, as plain text.
-std::string words(const Report& report, const CheckResult& r) {
+// What is told of one check, as plain text; how to repeat it is added where the reader can.
+std::string words(const CheckResult& r) {
   std::string text = r.check->says;
   if (!r.words.empty()) text += "\n" + r.words;
-  for (const Diagnosis& d : r.diagnosis) text += "\nlikely: " + d.text + " (agrees on " + std::to_string(d.agreements) + " of " + std::to_string(d.cases) + " cases)";
+  for (const Diagnosis& d : r.diagnosis) text += "\nlikely: " + d.text + " (agrees on " + std::to_string(d.agreements) + " of " + counted(d.cases, "case") + ")";
   for (const std::string& note : r.notes) text += "\nnote: " + note;
   if (r.verdict == Verdict::pass || !r.counterexample) return text;
   text += "\nsmallest failing case:";
   for (const auto& [what, value] : named_inputs(*r.counterexample)) text += "\n  " + what + " = " + value;
   for (const Component& c : r.counterexample->judgement.components)
-    if (!(std::abs(c.got - c.want) <= c.bound)) text += "\n  " + c.name + " [" + c.unit + "]: got " + number(c.got) + ", want " + number(c.want);
-  return text + "\nreplay: " + replay_command(report, r);
+    if (!(std::abs(c.got - c.want) <= c.bound) || &c == worst(*r.counterexample)) text += "\n  " + c.name + " [" + c.unit + "]: got " + number(c.got) + ", want " + number(c.want);
+  return text;
+}
+std::string replay(const Report& report, const CheckResult& r) {
+  const std::string command = r.verdict == Verdict::pass || !r.counterexample ? "" : replay_command(report, r);
+  return (command.empty() ? "" : "\nreplay: " + command) + (report.reader == Reader::instructor ? "\nseed " + std::to_string(report.seed) : "");
 }
 
 // Letters, digits, blanks, '_' and '-' only.
@@ -54,10 +59,10 @@ std::string report_junit(const Report& report) {
     int tests = 0, failures = 0, errors = 0, skipped = 0;
     std::string cases;
     for (const CheckResult& r : report.results) {
-      if (r.group != part) continue;
+      if (r.group != part || !shown(report, r)) continue;
       ++tests;
       cases += "    <testcase classname=\"" + escape(part) + "\" name=\"" + escape(r.check->id) + "\">";
-      const std::string text = escape(words(report, r) + "\nseed " + std::to_string(report.seed)), message = " message=\"" + escape(name(r.verdict)) + "\">";
+      const std::string text = escape(words(r) + replay(report, r)), message = " message=\"" + escape(name(r.verdict)) + "\">";
       switch (r.verdict) {
         case Verdict::pass: break;
         case Verdict::fail:
@@ -82,13 +87,13 @@ std::string report_junit(const Report& report) {
 }
 
 std::string report_gradescope(const Report& report) {
-  Json json{{"execution_time", report.seconds}, {"stdout_visibility", "hidden"}, {"output", "seed " + std::to_string(report.seed) + ", " + report.tool}, {"tests", Json::array()}};
+  Json json{{"execution_time", report.seconds}, {"stdout_visibility", "hidden"}, {"output", report.tool}, {"tests", Json::array()}};
   int k = 0;
   for (const CheckResult& r : report.results) {
     Json test{{"name", r.check->id + ": " + r.check->says}, {"number", std::to_string(++k)}};
     if (r.max_points > 0) test["score"] = r.points, test["max_score"] = r.max_points;
     test["status"] = r.verdict == Verdict::pass || r.max_points == 0 ? "passed" : "failed";
-    test["output"] = words(report, r);
+    test["output"] = words(r);
     test["output_format"] = "text";
     test["visibility"] = r.visibility;
     test["tags"] = {r.group};
@@ -110,17 +115,22 @@ std::string report_autolab(const Report& report) {
   feedback["Build"] = {{"compiles", {{"passed", compiles}}}};
   Json scores = Json::object();
   for (const std::string& part : parts(report)) {
-    double sum = 0;
+    double sum = 0, most = 0;
     Json stage = Json::object();
     for (const CheckResult& r : report.results) {
       if (r.group != part || r.max_points == 0) continue;
       sum += r.points;
+      most += r.max_points;
+      if (std::string_view(r.visibility) != "visible") continue;
       Json item{{"passed", r.verdict == Verdict::pass}};
       if (r.verdict != Verdict::pass) item["hint"] = tame(r.diagnosis.empty() ? r.check->says : r.diagnosis.front().text);
       stage[tame(r.check->id)] = item;
     }
-    feedback["stages"].push_back(part);
-    feedback[part] = stage;
+    if (most == 0) continue;  // a part of advice is no problem of Autolab's
+    if (!stage.empty()) {
+      feedback["stages"].push_back(part);
+      feedback[part] = stage;
+    }
     scores[tame(part)] = sum;
   }
   return written(feedback) + "\n" + written(Json{{"scores", scores}, {"scoreboard", Json::array({report.score})}}) + "\n";

@@ -117,6 +117,7 @@ class Trial {
       return;
     }
     const double ratio = ratio_of(check_, s, run.replies, false, rubric_.tolerance_of(check_));
+    ++result_.answered;
     const Judgement judgement = check_.judge(s, run.replies, false);
     if (!judgement.note.empty() && std::find(result_.notes.begin(), result_.notes.end(), judgement.note) == result_.notes.end())
       result_.notes.push_back(judgement.note);
@@ -171,6 +172,10 @@ class Trial {
     const Run run = run_case(student_, check_, example.inputs);
     if (run.death) example.death = run.death->words;
     else example.judgement = check_.judge(example.inputs, run.replies, false);
+    for (Component& c : example.judgement.components) c.bound *= rubric_.tolerance_of(check_);
+    const auto finite = [](const Component& c) { return std::isfinite(c.got); };
+    if (result_.verdict == Verdict::fail && !std::all_of(example.judgement.components.begin(), example.judgement.components.end(), finite))
+      result_.words = "the answer is no finite number (nan or inf): something was divided by zero, or a root taken of a negative number";
     result_.counterexample = example;
   }
 
@@ -216,9 +221,13 @@ void keep_pictures(const Check& check, const Record& seen, Report& report) {
     SceneTrace trace;
     for (const auto& [time, energy, momentum, angular] : seen.replies[0].trace) {
       if (!(time > 0)) break;  // it did not come that far
+      if (!std::isfinite(energy + momentum + angular)) {
+        trace.blew_up_at = time;
+        break;
+      }
       trace.time.push_back(time), trace.energy.push_back(energy), trace.momentum.push_back(momentum), trace.angular_momentum.push_back(angular);
     }
-    if (trace.time.size() > 1) report.scene = trace;
+    if (trace.time.size() > 1 || trace.blew_up_at > 0) report.scene = trace;
   }
 }
 
@@ -247,6 +256,7 @@ void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) 
 
 void judge(const Student& student, const std::array<FunctionStatus, student_functions>& functions, const Rubric& rubric,
            const Selection& selection, Report& report) {
+  report.rubric_points = std::fabs(rubric.total_points() - 100) < 1e-9 ? 100 : rubric.total_points();
   std::vector<std::vector<Record>> records;
   bool inertia_failed = false;
   std::set<StudentFunction> dead;
@@ -305,6 +315,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   Report report;
   report.rubric_title = rubric.title;
   report.rubric_hash = rubric.hash();
+  report.rubric_path = rubric.path;
   report.submission = submission.name;
   report.submission_hash = submission.hash;
   report.kit_hash = kit_hash();
@@ -313,7 +324,12 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   report.cases = rubric.cases;
   report.notes = submission.notes;
   report.notes.insert(report.notes.end(), built->notes.begin(), built->notes.end());
-  report.isolation = built->isolation;
+  const auto layers = [](const char* of, const std::vector<std::string>& lines) {
+    std::string all = of;
+    for (const std::string& line : lines) all += (&line == &lines.front() ? ": " : "; ") + line;
+    return all;
+  };
+  report.isolation = {layers("compiler", built->isolation)};
 
   Bypass workers(built->executable, rubric.limits, [&]() -> fs::path {
     BuildOptions without = plain;
@@ -337,8 +353,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   const Student student = [&](const Call& call) -> Answer {
     Answer answer = workers.call(call);
     if (report.output.size() < 4096) report.output += workers.take_output();
-    if (report.isolation.size() == built->isolation.size())
-      for (const std::string& line : workers.isolation()) report.isolation.push_back(line);
+    if (report.isolation.size() == 1) report.isolation.push_back(layers("program", workers.isolation()));
     return answer;
   };
   judge(student, functions, rubric, selection, report);

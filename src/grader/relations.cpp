@@ -156,7 +156,7 @@ std::string relation(const Check& check, const std::vector<Record>& records) {
     char text[96];
     if (std::fabs(factor) < 1e-6) return "the result is always zero";
     if (std::fabs(factor + 1) < 1e-4) return "the result has the opposite sign, always";
-    std::snprintf(text, sizeof text, "the result is %.4g times the right one, always", factor);
+    std::snprintf(text, sizeof text, std::fabs(factor - 1) < 1e-3 ? "the result is %.8g times the right one, always" : "the result is %.4g times the right one, always", factor);
     return text;
   }
   for (const std::string& words : {exchanged(cases), shifted(cases), one_axis(cases), power_of_dt(check, records)})

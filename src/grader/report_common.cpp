@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <rigor/grader/contacts.hpp>
 #include <rigor/grader/report.hpp>
@@ -113,9 +114,36 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
+bool shown(const Report& report, const CheckResult& result) { return report.reader == Reader::instructor || std::string_view(result.visibility) == "visible"; }
+
+std::string withheld(const Report& report) {
+  int checks = 0;
+  double points = 0;
+  for (const CheckResult& r : report.results)
+    if (!shown(report, r)) ++checks, points += r.max_points;
+  if (checks == 0) return "";
+  return counted(checks, "check") + " worth " + rounded(points) + (checks == 1 ? " is" : " are") + " not shown here; the total counts " + (checks == 1 ? "it" : "them");
+}
+
+std::string counted(int n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
+const Component* worst(const Counterexample& e) {
+  const Component* most = nullptr;
+  double ratio = -1;
+  for (const Component& c : e.judgement.components) {
+    const double r = c.got == c.want ? 0 : std::fabs(c.got - c.want) / c.bound;
+    if (std::isnan(r)) return &c;
+    if (r > ratio) ratio = r, most = &c;
+  }
+  return most;
+}
+
 std::string replay_command(const Report& report, const CheckResult& result) {
-  return "rigor grade " + quoted(report.submission_path) + " --check " + result.check->id + " --case " +
-         std::to_string(result.counterexample ? result.counterexample->number : 0) + " --seed " + std::to_string(report.seed);
+  if (report.reader == Reader::platform) return "";
+  const std::string which = " --check " + result.check->id + " --case " + std::to_string(result.counterexample ? result.counterexample->number : 0) +
+                            (report.asked_cases > 0 ? " --cases " + std::to_string(report.asked_cases) : "");
+  if (report.reader == Reader::practice) return "./practice" + which;
+  return "rigor grade " + quoted(report.submission_path) + (report.rubric_path.empty() ? "" : " --rubric " + quoted(report.rubric_path)) + which + " --seed " + std::to_string(report.seed);
 }
 
 }  // namespace rigor::grader

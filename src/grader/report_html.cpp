@@ -1,5 +1,7 @@
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <string_view>
 #include <rigor/grader/picture.hpp>
 #include <rigor/grader/report_parts.hpp>
 #include <rigor/report/formula.hpp>
@@ -49,27 +51,36 @@ std::string counterexample(const Report& report, const CheckResult& r) {
                      rigor::report::table({"input", "value"}, inputs, {}, "Inputs, from case " + std::to_string(e.number)) + picture(e) + "</div>\n";
   if (!e.death.empty()) html += "<p class=\"bad\">The call then ended: " + escape(e.death) + "</p>\n";
   for (const Component& c : e.judgement.components)
-    rows.push_back({wrong(c) ? "wrong" : "right", c.name, c.unit, brief(c.got), brief(c.want), shorter(c.bound), shorter(c.got == c.want ? 0 : std::fabs(c.got - c.want) / c.bound)});
+    rows.push_back({wrong(c) ? "wrong" : "right", c.name, c.unit, brief(c.got), brief(c.want), c.bound == 0 ? "none" : shorter(c.bound), shorter(c.got == c.want ? 0 : std::fabs(c.got - c.want) / c.bound)});
   if (!rows.empty())
     html += rigor::report::table({"", "result", "unit", "got", "want", "allowed error", "error / allowed"}, rows, {3, 4, 5, 6}, "What came out, and what should have");
-  return html + "<h3>Once more, by hand</h3><pre>" + escape(replay_command(report, r)) + "</pre>\n";
+  const std::string command = replay_command(report, r);
+  return html + (command.empty() ? "" : "<h3>Once more, by hand</h3><pre>" + escape(command) + "</pre>\n");
 }
 
-std::string one(const Report& report, const CheckResult& r) {
+std::string one(const Report& report, const CheckResult& r, std::map<std::string, std::string>& said) {
   const bool passed = r.verdict == Verdict::pass;
   std::string html = "<details id=\"" + escape(r.check->id) + "\"" + (passed || r.max_points == 0 ? "" : " open") + "><summary><span class=\"badge " + css_class(r) + "\">" + escape(word(r)) +
                      "</span> <strong>" + escape(r.check->id) + "</strong> <span class=\"says\">" + escape(r.check->says) + "</span> <span class=\"soft\">" +
                      (r.max_points > 0 ? brief(r.points) + " of " + brief(r.max_points) : "no points") + "</span></summary><div class=\"card\">\n" +
                      "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">" + rigor::report::formula_html(r.check->formula) + "</div><p class=\"soft\">" + escape(student_function_name(r.check->function)) + "; derivation: <code>rigor explain " +
                      escape(r.check->formula) + "</code></p>\n";
-  if (!r.words.empty()) html += "<pre>" + escape(r.words) + "</pre>\n";
+  if (std::string_view(r.visibility) != "visible") html += "<p class=\"soft\">Hidden from students (" + escape(r.visibility) + ").</p>\n";
+  if (!r.words.empty()) {  // what the compiler said of a function is said once
+    const auto [first, fresh] = said.emplace(r.words, r.check->id);
+    html += fresh || r.verdict != Verdict::not_compiled ? "<pre>" + escape(r.words) + "</pre>\n" : "<p>Does not compile: see <a href=\"#" + escape(first->second) + "\">" + escape(first->second) + "</a>.</p>\n";
+  }
   for (const Diagnosis& d : r.diagnosis)
     html += "<p class=\"likely\"><strong>Likely:</strong> " + escape(d.text) + ". <span class=\"soft\">That gives the submission's numbers on " + std::to_string(d.agreements) + " of " +
-            std::to_string(d.cases) + " cases.</span></p>\n";
+            counted(d.cases, "case") + ".</span></p>\n";
   for (const std::string& note : r.notes) html += "<p>Note: " + escape(note) + "</p>\n";
   if (!passed && r.counterexample) html += counterexample(report, r);
   if (r.cases > 0)
-    html += "<p class=\"soft\">" + std::to_string(r.cases) + (r.cases == 1 ? " case" : " cases") + "; the worst error is " + shorter(r.worst_ratio) + " times what is allowed.</p>\n";
+    html += "<p class=\"soft\">" + counted(r.cases, "case") +
+            (r.answered == 0                   ? "; none got an answer"
+             : std::isfinite(r.worst_ratio) ? "; the worst error is " + shorter(r.worst_ratio) + " times what is allowed"
+                                            : "; an answer was no finite number") +
+            ".</p>\n";
   return html + "</div></details>\n";
 }
 
@@ -79,16 +90,19 @@ std::string summary(const Report& report) {
   std::vector<double> points, most;
   std::string lost;
   for (const CheckResult& r : report.results) {
+    if (!shown(report, r)) continue;
     if (groups.empty() || groups.back()[0] != r.group) groups.push_back({r.group}), points.push_back(0), most.push_back(0);
     points.back() += r.points;
     most.back() += r.max_points;
     if (r.points >= r.max_points) continue;
-    lost += "<li><a href=\"#" + escape(r.check->id) + "\">" + escape(r.check->id) + "</a>: " + escape(word(r)) + ", " + brief(r.max_points - r.points) + " points";
+    lost += "<li><a href=\"#" + escape(r.check->id) + "\">" + escape(r.check->id) + "</a>: " + escape(word(r)) + ", " + brief(r.max_points - r.points) + (r.max_points - r.points == 1 ? " point" : " points");
     if (!r.diagnosis.empty()) lost += "; likely " + escape(r.diagnosis.front().text);
     lost += "</li>\n";
   }
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i].insert(groups[i].end(), {brief(points[i]), brief(most[i])});
-  return "<p class=\"total\"><strong>" + brief(report.score) + "</strong> of " + brief(report.max_score) + " points</p>\n" + rigor::report::table({"part", "points", "of"}, groups, {1, 2}, "Points by part") +
+  return "<p class=\"total\"><strong>" + brief(report.score) + "</strong> of " + brief(report.max_score) + " points</p>\n" +
+         (report.rubric_points == 100 ? "" : "<p>The points of this rubric add up to " + brief(report.rubric_points) + ", not 100.</p>\n") +
+         (withheld(report).empty() ? "" : "<p>" + withheld(report) + ".</p>\n") + rigor::report::table({"part", "points", "of"}, groups, {1, 2}, "Points by part") +
          (lost.empty() ? "" : "<h2>Where points were lost</h2>\n<ul>" + lost + "</ul>\n");
 }
 
@@ -106,9 +120,11 @@ std::string report_html(const Report& report) {
   page.style = style;
   page.body = summary(report);
   std::string group;
+  std::map<std::string, std::string> said;
   for (const CheckResult& r : report.results) {
+    if (!shown(report, r)) continue;
     if (r.group != group) page.body += "<h2>" + escape(group = r.group) + "</h2>\n" + (&r == &report.results.front() ? symbols : "");
-    page.body += one(report, r);
+    page.body += one(report, r, said);
   }
   if (report.ladder) page.body += "<h2>How update converges</h2>\n" + ladder_figures(*report.ladder);
   if (report.scene) page.body += "<h2>The scene over 20 s</h2>\n" + scene_figures(*report.scene);
@@ -118,8 +134,8 @@ std::string report_html(const Report& report) {
     page.body += "</ul>\n";
   }
   if (!report.output.empty()) page.body += "<h2>Printed by the submission</h2><pre>" + escape(report.output) + "</pre>\n";
-  page.footer = report.tool + "; seed " + std::to_string(report.seed) + ", " + std::to_string(report.cases) + " cases a check; submission " + report.submission_hash + "; isolation: ";
-  for (std::size_t i = 0; i < report.isolation.size(); ++i) page.footer += (i > 0 ? "; " : "") + report.isolation[i];
+  page.footer = report.tool + "; " + (report.reader == Reader::instructor ? "seed " + std::to_string(report.seed) + ", " : "") + counted(report.cases, "case") + " a check; submission " + report.submission_hash;
+  for (const std::string& line : report.isolation) page.footer += "; isolation: " + line;
   return rigor::report::render(page);
 }
 

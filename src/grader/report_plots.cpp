@@ -36,12 +36,16 @@ std::string ladder_figures(const Ladder& ladder) {
 }
 
 std::string scene_figures(const SceneTrace& trace) {
+  char text[128];
+  std::snprintf(text, sizeof text, "<p><strong>The scene blew up at t = %.3g s</strong>: from there on a number is not finite.</p>", trace.blew_up_at);
+  const std::string blew_up = trace.blew_up_at > 0 ? text : "";
+  if (trace.time.size() < 2) return blew_up;
   const double most = *std::max_element(trace.energy.begin(), trace.energy.end());
   const bool runs_away = !(most < 100 * std::fabs(trace.energy.front()));  // then only a logarithm shows when it began
   rigor::report::Plot energy{"Energy in the submission's own scene", "time, s", "kinetic and potential energy, J", false, runs_away, {{"energy", trace.time, trace.energy, false}}};
   rigor::report::Plot momentum{"Momenta in the submission's own scene", "time, s", "|P|, N s; |L| about the origin, kg m²/s", false, runs_away,
                               {{"linear momentum |P|", trace.time, trace.momentum, false}, {"angular momentum |L|", trace.time, trace.angular_momentum, false}}};
-  return "<p>Ten cuboids in the room of the assignment, 20 s, by the submission's own ParticleSystem. Not judged: collisions with e &lt; 1 and friction take energy away, and "
+  return blew_up + "<p>Ten cuboids in the room of the assignment, 20 s, by the submission's own ParticleSystem. Not judged: collisions with e &lt; 1 and friction take energy away, and "
          "walls change both momenta; what grows without end, or never settles, is worth a look.</p>" +
          rigor::report::figure(energy) + rigor::report::figure(momentum);
 }

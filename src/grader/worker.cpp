@@ -144,7 +144,7 @@ struct Worker::Process {
         drain();
         if (printed_now > limits.output_bytes)
           return Death{Death::Kind::flood,
-                       "printed more than " + std::to_string(limits.output_bytes >> 20) + " MiB in one call"};
+                       "flooded its output: printed more than " + std::to_string(limits.output_bytes >> 20) + " MiB in one call"};
       }
       if (fds[0].revents & (POLLIN | POLLHUP)) {
         const ssize_t n = read(channel, reinterpret_cast<char*>(&reply) + have, sizeof reply - have);

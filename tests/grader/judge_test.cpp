@@ -51,7 +51,7 @@ TEST(Checks, AddUpToAHundredPointsInTheSixPartsOfTheAssignment) {
     EXPECT_TRUE(ids.insert(check.id).second) << check.id;
   }
   EXPECT_EQ(parts, (std::map<std::string, double>{
-                       {"Inertia", 15}, {"Force", 10}, {"Dynamics", 30}, {"Plane normal", 15}, {"Friction", 15}, {"Pair", 15}}));
+                       {"Inertia", 15}, {"Force", 10}, {"Dynamics", 30}, {"Plane normal", 15}, {"Friction", 15}, {"Pair", 15}, {"Scene", 0}}));
 }
 
 TEST(Checks, CasesAreTheSameForTheSameSeedAndOthersForAnother) {
@@ -127,6 +127,26 @@ TEST(Judge, FindsAConstantFactor) {
   ASSERT_EQ(report.results.size(), 1u);
   ASSERT_EQ(report.results[0].diagnosis.size(), 1u);
   EXPECT_EQ(report.results[0].diagnosis[0].text, "the result is 0.3 times the right one, always");
+}
+
+// Right in single precision, judged 100 times as strictly: that is rounding, with how much of it, and both numbers.
+TEST(Judge, SaysThatAnAnswerIsRightButForRounding) {
+  Rubric rubric;
+  rubric.tolerance = 0.01;
+  const Report report = judged(
+      [](const Call& call) -> Answer {
+        Reply r = model_answer(Habits{}, call.constants, call.request);
+        for (double& x : r.A.body_inertia) x = x * (1 + 1e-6);
+        return r;
+      },
+      24, 3, rubric, {{"moi.body"}, -1});
+  const CheckResult& r = report.results[0];
+  EXPECT_EQ(r.verdict, Verdict::fail);
+  ASSERT_EQ(r.diagnosis.size(), 1u);
+  EXPECT_EQ(r.diagnosis[0].text, "right but for rounding: 10 times the allowed error");
+  ASSERT_TRUE(r.counterexample);
+  EXPECT_GT(r.counterexample->judgement.ratio(), 1) << "the bound of the case is the rubric's";
+  EXPECT_NE(report_text(report, false).find("got            want"), std::string::npos);
 }
 
 TEST(Judge, StopsACheckAfterThreeDeathsAndGoesOnWithTheNext) {

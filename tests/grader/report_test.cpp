@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include <rigor/grader/judge.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/report/formula.hpp>
+#include <sstream>
 
 namespace rigor::grader {
 namespace {
@@ -111,6 +113,93 @@ TEST(Replay, IsOneLineThatAShellReadsBack) {
     pclose(pipe);
     EXPECT_EQ(back, path) << command;
   }
+}
+
+Report report_of(const Student& student, const std::vector<std::string>& only, const Rubric& rubric = {}) {
+  Report report;
+  report.submission = "ada", report.submission_path = "ada", report.seed = rubric.seed, report.tool = "rigor";
+  Rubric few = rubric;
+  few.cases = 6;
+  judge(student, {}, few, {only, -1}, report);
+  return report;
+}
+Answer reversed(const Call& call) { return model_answer(habits_with("force.torque-reversed"), call.constants, call.request); }
+
+// Where the graded seed, a hidden check and a command may be seen.
+TEST(Readers, StudentsSeeNeitherTheGradedSeedNorHiddenChecks) {
+  const auto rubric = parse_rubric("seed = 91827364\n[visibility]\n\"force.torque\" = \"hidden\"", "mine.toml");
+  ASSERT_TRUE(rubric);
+  Report report = report_of(reversed, {"force.torque", "force.sum", "moi.body"}, *rubric);
+  report.rubric_path = rubric->path;
+  for (const std::string& text : {report_gradescope(report), report_autolab(report)}) {
+    EXPECT_EQ(text.find("91827364"), text.npos);
+    EXPECT_EQ(text.find("replay"), text.npos);
+  }
+  EXPECT_EQ(report_autolab(report).find("force torque"), std::string::npos);
+  for (auto* write : {+[](const Report& r) { return report_text(r, false); }, +[](const Report& r) { return report_html(r); }, +[](const Report& r) { return report_junit(r); }}) {
+    report.reader = Reader::platform;
+    EXPECT_EQ(write(report).find("91827364"), std::string::npos);
+    EXPECT_EQ(write(report).find("force.torque"), std::string::npos);
+    EXPECT_EQ(write(report).find("rigor grade"), std::string::npos);
+    EXPECT_NE(write(report).find("force.sum"), std::string::npos);
+    report.reader = Reader::instructor;
+    EXPECT_NE(write(report).find("91827364"), std::string::npos);
+    EXPECT_NE(write(report).find("rigor grade ada --rubric mine.toml --check force.torque --case 0 --seed 91827364"), std::string::npos);
+  }
+  EXPECT_NE(report_text(report, false).find("hidden from students (hidden)"), std::string::npos);
+  report.reader = Reader::platform;
+  EXPECT_NE(report_text(report, false).find("1 check worth 4 is not shown here; the total counts it"), std::string::npos) << report_text(report, false);
+  report.reader = Reader::practice;
+  for (CheckResult& r : report.results) r.visibility = "visible";
+  EXPECT_NE(report_text(report, false).find("replay: ./practice --check force.torque --case 0\n"), std::string::npos) << report_text(report, false);
+}
+
+TEST(Text, KeepsTheLinesOfChecksWithin80Columns) {
+  Report report = report_of(reversed, {});
+  for (CheckResult& r : report.results) r.cases = r.answered = 100000, r.worst_ratio = 1.234e-10, r.max_points = std::min(r.max_points, 99.0), r.verdict = Verdict::not_implemented, r.words = "", r.counterexample.reset();
+  std::istringstream lines(report_text(report, false));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+TEST(Text, SaysNoErrorWhereNothingWasAnswered) {
+  const Report dead = report_of([](const Call&) -> Answer { return Death{Death::Kind::timeout, "took longer"}; }, {"force.sum"});
+  EXPECT_NE(report_text(dead, false).find(" 2 cases\n"), std::string::npos) << report_text(dead, false);
+  EXPECT_NE(report_html(dead).find("2 cases; none got an answer"), std::string::npos);
+  const Report nan = report_of([](const Call& call) -> Answer {
+    Reply r = model_answer({}, call.constants, call.request);
+    r.A.net_force[0] = NAN;
+    return r;
+  }, {"force.sum"});
+  EXPECT_NE(report_text(nan, false).find("no finite number"), std::string::npos);
+  EXPECT_EQ(report_text(nan, false).find("error inf"), std::string::npos);
+}
+
+TEST(Text, SaysACompilersErrorOnceAndCountsInTheSingular) {
+  std::array<FunctionStatus, student_functions> functions{};
+  functions[std::size_t(StudentFunction::update)] = {FunctionStatus::Kind::not_compiled, "Cuboid.cpp:9: expected ';'"};
+  Report report;
+  Rubric rubric;
+  rubric.cases = 1;
+  judge(reversed, functions, rubric, {}, report);
+  for (const std::string& text : {report_text(report, false), report_html(report)}) {
+    const std::size_t first = text.find("Cuboid.cpp:9");
+    ASSERT_NE(first, text.npos);
+    EXPECT_EQ(text.find("Cuboid.cpp:9", first + 1), text.npos);
+    for (const char* wrong : {" 1 cases", " 1 points"}) EXPECT_EQ(text.find(wrong), text.npos) << wrong;
+  }
+}
+
+TEST(Text, SaysWhenTheSceneBlewUp) {
+  const Report report = report_of([](const Call& call) -> Answer {
+    Reply r = model_answer({}, call.constants, call.request);
+    r.scene[3] = 0;
+    for (auto& sample : r.trace) sample[0] = 0;
+    r.trace[0][0] = 0.25, r.trace[0][1] = r.trace[0][2] = r.trace[0][3] = INFINITY;
+    return r;
+  }, {"scene.runs"});
+  EXPECT_EQ(report.results[0].group, "Scene");
+  EXPECT_NE(report_text(report, false).find("the scene blew up at t = 0.25 s"), std::string::npos);
+  EXPECT_NE(report_html(report).find("The scene blew up at t = 0.25 s"), std::string::npos);
 }
 
 TEST(Html, ShowsTheFormulaOfEveryCheck) {

@@ -211,6 +211,7 @@ Status run_scene(const Request& r) {
     look_at(system, step >= r.count / 10);
     const std::uint64_t samples = scene_samples, part = (step + 1) * samples / r.count;
     if (part > step * samples / r.count) take_sample(system, (step + 1) * r.h, reply.trace[part - 1]);
+    else if (reply.scene[3] == 0) take_sample(system, (step + 1) * r.h, reply.trace[part]);  // when it blew up
   }
   return Status::done;
 }
