@@ -149,8 +149,9 @@ TEST(Readers, StudentsSeeNeitherTheGradedSeedNorHiddenChecks) {
   EXPECT_NE(report_text(report, false).find("hidden from students (hidden)"), std::string::npos);
   report.reader = Reader::platform;
   EXPECT_NE(report_text(report, false).find("1 check worth 4 is not shown here; the total counts it"), std::string::npos) << report_text(report, false);
-  report.reader = Reader::practice;
   for (CheckResult& r : report.results) r.visibility = "visible";
+  EXPECT_EQ(report_text(report, false).find("replay:"), std::string::npos) << "students of a platform have no command";
+  report.reader = Reader::practice;
   EXPECT_NE(report_text(report, false).find("replay: ./practice --check force.torque --case 0\n"), std::string::npos) << report_text(report, false);
 }
 
