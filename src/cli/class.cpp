@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
@@ -26,9 +27,24 @@ int bad_input(const std::string& text) {
   return 2;
 }
 
+/// Whether `path`, which need not exist, is `directory` or lies in it.
+bool inside(const std::filesystem::path& path, const std::filesystem::path& directory) {
+  std::error_code ec;
+  const auto plain = [&](const std::filesystem::path& p) {
+    const auto whole = std::filesystem::weakly_canonical(std::filesystem::absolute(p, ec), ec);
+    return whole.has_filename() ? whole : whole.parent_path();
+  };
+  const auto inner = plain(path), outer = plain(directory);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 int class_command(const Options& options) {
   const std::filesystem::path out = options.out;
   std::filesystem::path directory = options.directory;
+  if (options.fill.empty() && !options.column.empty()) return bad_input("--column: is '" + options.column + "' without --fill, the gradebook it is a column of");
+  if (inside(out, directory)) return bad_input("--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
+  if (!options.against.empty() && inside(out, options.against) && inside(options.against, out))
+    return bad_input("--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
   if (std::filesystem::is_regular_file(directory) && grader::archive_name(directory)) {
     const std::filesystem::path unpacked = out / ".unpacked";
     std::error_code ec;
@@ -39,9 +55,9 @@ int class_command(const Options& options) {
   }
   const auto entries = grader::read_roster(directory);
   if (!entries) return bad_input(entries.fault().text());
-  std::vector<grader::ClassRow> before;  // read first: the run may write over it
+  std::vector<grader::ClassRow> before;
   if (!options.against.empty()) {
-    const auto read = grader::read_class(*entries, options.against);
+    const auto read = grader::read_class(options.against);
     if (!read) return bad_input("--against: " + read.fault().text());
     before = *read;
   }
@@ -63,7 +79,8 @@ int class_command(const Options& options) {
   Progress progress(!options.quiet);
   run.progress = [&](int done, int all) { progress(done, all); };
   const auto rows = grader::grade_class(*entries, rubric, run);
-  const auto changed = grader::changes(before, rows);
+  const auto stale = grader::remove_stale_reports(out, rows);
+  const auto changed = options.against.empty() ? std::vector<grader::Change>{} : grader::changes(before, rows);
   for (const auto& [name, text] : {std::pair{"scores.csv", grader::scores_csv(rows)}, std::pair{"matrix.csv", grader::matrix_csv(rows)},
                                    std::pair{"class.html", grader::class_html(rows, rubric, changed)}})
     if (const auto written = write_file(out / name, text); !written) return bad_input(written.fault().text());
@@ -76,8 +93,11 @@ int class_command(const Options& options) {
     if (!filled) return bad_input("--fill: " + filled.fault().text());
     const std::filesystem::path name = out / ("filled-" + std::filesystem::path(options.fill).filename().string());
     if (const auto written = write_file(name, filled->csv); !written) return bad_input(written.fault().text());
-    if (!options.quiet) std::printf("%d of %d rows filled in: %s\n", filled->filled, filled->filled + filled->unmatched, name.string().c_str());
+    for (const std::string& remark : filled->remarks) std::fprintf(stderr, "rigor class: --fill: %s\n", remark.c_str());
+    if (!options.quiet) std::printf("%d of %d rows filled in: %s\n", filled->filled, filled->rows, name.string().c_str());
   }
+  if (!options.quiet)
+    for (const std::string& student : stale) std::printf("an earlier report taken away, it no longer holds: %s\n", student.c_str());
   int graded = 0, reused = 0;
   for (const auto& r : rows) {
     graded += r.trouble.empty();
@@ -104,8 +124,8 @@ void add_class(CLI::App& app, int& exit_status) {
   command->add_option("--jobs", options->jobs, "submissions at a time; all processors by default")->check(in_range(1, 256));
   command->add_option("--out", options->out, "where reports and tables go")->capture_default_str();
   command->add_option("--against", options->against, "an earlier --out: says what changed and why, in changes.csv and on the page");
-  command->add_option("--fill", options->fill, "a gradebook (Canvas, Moodle, Autolab): written to --out with the points filled in");
-  command->add_option("--column", options->column, "the gradebook's column for the points; \"Grade\" by default");
+  command->add_option("--fill", options->fill, "a gradebook (Canvas, Moodle, Autolab): written to --out as filled-NAME with the points filled in");
+  command->add_option("--column", options->column, "with --fill: the gradebook's column for the points; \"Grade\" by default");
   command->add_flag("--fresh", options->fresh, "grade again what has not changed");
   command->add_flag("--quiet", options->quiet, "print nothing but trouble");
   command->footer("Example:  rigor class submissions --out graded");

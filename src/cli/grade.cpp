@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
@@ -139,6 +140,14 @@ int grade_command(const Options& options) {
   const Format* printed = options.out.empty() && options.formats.size() == 1 ? find_format(options.formats.front()) : nullptr;
   const bool autolab = printed != nullptr && std::string(printed->name) == "autolab";
 
+  if (!options.out.empty() && options.paths.size() > 1) {  // each writes below --out by its own name
+    std::map<std::string, std::string> taken;
+    for (const std::string& path : options.paths) {
+      const std::string name = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).filename().string();
+      if (const auto [at, first] = taken.emplace(name, path); !first)
+        return bad_input("--out: " + at->second + " and " + path + " would both write to " + (std::filesystem::path(options.out) / name).string() + "; give each an --out of its own");
+    }
+  }
   int graded = 0;
   const bool list = options.json && printed == nullptr && options.paths.size() > 1;
   const bool colour = isatty(STDOUT_FILENO) != 0;

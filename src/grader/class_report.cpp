@@ -4,6 +4,7 @@
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
+#include <set>
 
 namespace rigor::grader {
 namespace {
@@ -29,11 +30,51 @@ std::vector<std::string> failed_checks(const ClassRow& row) {
     if (verdict != "pass" && find_check(id) != nullptr && find_check(id)->points > 0) ids.push_back(id);
   return ids;
 }
+bool written(const ClassRow& row, const std::string& id) { return row.verdicts.at(id) != name(Verdict::not_implemented); }
+// The failed checks in a cell: of functions that were written, the first few by name; matrix.csv has them all.
+std::string failed_text(const ClassRow& row) {
+  const auto failed = failed_checks(row);
+  constexpr std::size_t shown = 8;
+  std::vector<std::string> ids;
+  std::set<std::string> unwritten;
+  for (const std::string& id : failed)
+    if (written(row, id)) ids.push_back(id);
+    else {
+      const std::string function = student_function_name(find_check(id)->function);  // "Cuboid::update"
+      unwritten.insert(function.substr(function.rfind(':') + 1));
+    }
+  const bool nothing = !failed.empty() && ids.empty() && std::none_of(row.verdicts.begin(), row.verdicts.end(), [](const auto& v) {
+    return v.second == name(Verdict::pass) && find_check(v.first) != nullptr && find_check(v.first)->points > 0;
+  });
+  if (nothing) return "nothing written";
+  const auto with_points = std::count_if(checks().begin(), checks().end(), [](const Check& check) { return check.points > 0; });
+  if (long(ids.size()) == with_points) return "all " + std::to_string(with_points);
+  std::string text;
+  for (std::size_t k = 0; k < std::min(shown, ids.size()); ++k) text += (k == 0 ? "" : ", ") + ids[k];
+  if (ids.size() > shown) text += " and " + std::to_string(ids.size() - shown) + " more";
+  std::string functions;
+  for (const std::string& function : unwritten) functions += (functions.empty() ? "" : ", ") + function;
+  return text + (functions.empty() ? "" : (text.empty() ? "" : "; ") + ("not written: " + functions));
+}
 template <class Map>
 std::vector<std::pair<std::string, int>> most_frequent(const Map& counts) {
   std::vector<std::pair<std::string, int>> list(counts.begin(), counts.end());
   std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   return list;
+}
+
+// Everybody who gets the points of a submission.
+std::vector<Person> people_of(const ClassRow& row) { return row.entry.people.empty() ? std::vector<Person>(1) : row.entry.people; }
+// In a group each under the own name.
+std::string shown_name(const ClassRow& row, const Person& person) {
+  return row.entry.people.size() < 2 ? row.entry.student : person.name.empty() ? person.email : person.name;
+}
+
+// The directory of the report in a URL: its % is no code there.
+std::string link_to(const ClassRow& row) {
+  std::string url;
+  for (const char c : safe_name(row.entry.student)) url += c == '%' ? std::string("%25") : std::string(1, c);
+  return url;
 }
 
 std::string histogram(const std::vector<ClassRow>& rows) {
@@ -50,18 +91,15 @@ std::string listed(const std::vector<std::string>& names) {
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
-// Which checks a student failed, in words.
-std::string failed_text(const ClassRow& row) {
-  const std::vector<std::string> ids = failed_checks(row);
-  const auto with_points = std::count_if(checks().begin(), checks().end(), [](const Check& check) { return check.points > 0; });
-  return long(ids.size()) == with_points ? "all " + std::to_string(with_points) : listed(ids);
-}
-
 // Students who failed the same checks, and which of them with the same numbers to the last digit.
 std::string same_failures(const std::vector<ClassRow>& rows) {
   std::map<std::string, std::map<std::string, std::vector<std::string>>> groups;  // failed checks, then numbers
+  std::map<std::string, std::string> said;
   for (const ClassRow& r : rows)
-    if (!r.fingerprint.empty()) groups[failed_text(r)][r.fingerprint].push_back(r.entry.student);
+    if (!r.fingerprint.empty()) {
+      groups[listed(failed_checks(r))][r.fingerprint].push_back(r.entry.student);
+      said[listed(failed_checks(r))] = failed_text(r);
+    }
   std::vector<std::vector<std::string>> table;
   for (const auto& [failed, prints] : groups) {
     std::vector<std::string> everybody, alike;
@@ -69,7 +107,7 @@ std::string same_failures(const std::vector<ClassRow>& rows) {
       everybody.insert(everybody.end(), students.begin(), students.end());
       if (students.size() > 1) alike.push_back(listed(students));
     }
-    if (everybody.size() > 1) table.push_back({std::to_string(everybody.size()), listed(everybody), failed, alike.empty() ? "none" : listed(alike)});
+    if (everybody.size() > 1) table.push_back({std::to_string(everybody.size()), listed(everybody), said.at(failed), alike.empty() ? "none" : listed(alike)});
   }
   if (table.empty()) return "<p>No two students failed the same checks.</p>";
   return report::table({"students", "who", "failed", "with the same numbers"}, table, {0}, "Students who failed the same checks") +
@@ -82,10 +120,10 @@ std::string counted(const std::map<std::string, int>& counts, const std::string&
   if (counts.empty()) return "<p>None.</p>";
   const auto list = most_frequent(counts);
   std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + what + ", by number of students\"><table><thead><tr><th scope=\"col\">" + what +
-                     "</th><th scope=\"col\">it says</th><th scope=\"col\" class=\"n\">students</th><th scope=\"col\" class=\"bar\" aria-hidden=\"true\"></th></tr></thead><tbody>\n";
+                     "</th><th scope=\"col\" class=\"n\">students</th><th scope=\"col\" class=\"bar\" aria-hidden=\"true\"></th><th scope=\"col\">it says</th></tr></thead><tbody>\n";
   for (const auto& [id, n] : list)
-    html += "<tr><td>" + escape(id) + "</td><td>" + escape(says(id)) + "</td><td class=\"n\">" + std::to_string(n) + "</td><td class=\"bar\" aria-hidden=\"true\"><i style=\"width:" +
-            brief(100.0 * n / list.front().second) + "%\"></i></td></tr>\n";
+    html += "<tr><td>" + escape(id) + "</td><td class=\"n\">" + std::to_string(n) + "</td><td class=\"bar\" aria-hidden=\"true\"><i style=\"width:" +
+            brief(100.0 * n / list.front().second) + "%\"></i></td><td>" + escape(says(id)) + "</td></tr>\n";
   return html + "</tbody></table></div>\n";
 }
 std::string check_says(const std::string& id) { return find_check(id) == nullptr ? "" : find_check(id)->says; }
@@ -106,12 +144,15 @@ std::string scores_csv(const std::vector<ClassRow>& rows) {
   const std::vector<std::pair<std::string, double>> groups = graded == rows.end() ? std::vector<std::pair<std::string, double>>{} : graded->groups;
   std::string out = "student,score,max_score";
   for (const auto& [group, points] : groups) out += "," + cell(group);
-  out += ",version,versions,late,trouble\n";
-  for (const ClassRow& r : rows) {
-    out += cell(r.entry.student) + "," + (r.trouble.empty() ? brief(r.score) + "," + brief(r.max_score) : ",");
-    for (std::size_t k = 0; k < groups.size(); ++k) out += "," + (k < r.groups.size() ? brief(r.groups[k].second) : "");
-    out += "," + std::to_string(r.entry.version) + "," + std::to_string(r.entry.versions) + "," + (r.entry.late ? "yes" : "") + "," + cell(r.trouble) + "\n";
-  }
+  out += ",version,versions,late,trouble,email,id,report\n";
+  for (const ClassRow& r : rows)
+    for (const Person& person : people_of(r)) {
+      out += cell(shown_name(r, person)) + "," + (r.trouble.empty() ? brief(r.score) + "," + brief(r.max_score) : ",");
+      for (std::size_t k = 0; k < groups.size(); ++k) out += "," + (k < r.groups.size() ? brief(r.groups[k].second) : "");
+      const std::string id = !person.school_id.empty() ? person.school_id : !person.canvas_id.empty() ? person.canvas_id : person.participant;
+      out += "," + std::to_string(r.entry.version) + "," + std::to_string(r.entry.versions) + "," + (r.entry.late ? "yes" : "") + "," + cell(r.trouble) + "," +
+             cell(person.email) + "," + cell(id) + "," + (r.trouble.empty() ? cell(safe_name(r.entry.student)) : "") + "\n";
+    }
   return out;
 }
 
@@ -119,11 +160,12 @@ std::string matrix_csv(const std::vector<ClassRow>& rows) {
   std::string out = "student";
   for (const Check& check : checks()) out += "," + check.id;
   out += "\n";
-  for (const ClassRow& r : rows) {
-    out += cell(r.entry.student);
-    for (const Check& check : checks()) out += "," + (r.verdicts.count(check.id) != 0 ? r.verdicts.at(check.id) : "");
-    out += "\n";
-  }
+  for (const ClassRow& r : rows)
+    for (const Person& person : people_of(r)) {
+      out += cell(shown_name(r, person));
+      for (const Check& check : checks()) out += "," + (r.verdicts.count(check.id) != 0 ? r.verdicts.at(check.id) : "");
+      out += "\n";
+    }
   return out;
 }
 
@@ -141,6 +183,7 @@ std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassR
 std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed) {
   report::Page page;
   std::map<std::string, int> failures, named;
+  int stubs = 0;
   std::vector<double> scores;
   std::vector<std::vector<std::string>> trouble, table;
   std::string list = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"students\"><table><thead><tr><th scope=\"col\">student</th><th scope=\"col\" class=\"n\">points</th><th scope=\"col\">failed checks</th><th scope=\"col\">named</th><th scope=\"col\">remarks</th></tr></thead><tbody>\n";
@@ -150,11 +193,19 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
       continue;
     }
     scores.push_back(r.score);
-    for (const std::string& id : failed_checks(r)) ++failures[id];
-    for (const std::string& id : r.diagnoses) ++named[id];
-    const std::string remarks = std::string(r.entry.late ? "late " : "") + (r.entry.versions > 1 ? "version " + std::to_string(r.entry.version) + " of " + std::to_string(r.entry.versions) : "");
-    list += "<tr><td><a href=\"" + escape(safe_name(safe_name(r.entry.student))) + "/report.html\">" + escape(r.entry.student) + "</a></td><td class=\"n\">" + brief(r.score) +
-            "</td><td>" + escape(failed_text(r)) + "</td><td>" + escape(listed(r.diagnoses)) + "</td><td>" + escape(remarks) + "</td></tr>\n";
+    std::string named_text;
+    bool stub = false;
+    for (const std::string& id : failed_checks(r))
+      if (written(r, id)) ++failures[id];
+      else stub = true;
+    stubs += stub;
+    for (const std::string& id : r.diagnoses) ++named[id], named_text += (named_text.empty() ? "" : ", ") + id;
+    std::string group;
+    if (r.entry.people.size() > 1)
+      for (const Person& person : r.entry.people) group += (group.empty() ? "group: " : ", ") + shown_name(r, person);
+    const std::string remarks = group + (group.empty() ? "" : " ") + std::string(r.entry.late ? "late " : "") + (r.entry.versions > 1 ? "version " + std::to_string(r.entry.version) + " of " + std::to_string(r.entry.versions) : "");
+    list += "<tr><td><a href=\"" + link_to(r) + "/report.html\">" + escape(r.entry.student) + "</a></td><td class=\"n\">" + brief(r.score) +
+            "</td><td>" + escape(failed_text(r)) + "</td><td>" + escape(named_text) + "</td><td>" + escape(remarks) + "</td></tr>\n";
   }
   list += "</tbody></table></div>\n";
   std::sort(scores.begin(), scores.end());
@@ -162,20 +213,21 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
   double sum = 0;
   for (const double s : scores) sum += s;
   if (!scores.empty()) page.lead = std::to_string(scores.size()) + " graded; mean " + brief(std::round(10 * sum / double(scores.size())) / 10) + ", median " + brief((scores[(scores.size() - 1) / 2] + scores[scores.size() / 2]) / 2) + " points.";
-  page.body = histogram(rows);
   if (!trouble.empty()) page.body += "<h2>Could not be graded</h2>" + report::table({"student", "why"}, trouble, {}, "Students who could not be graded");
   if (!changed.empty()) {
     std::vector<std::vector<std::string>> lines;
     for (const Change& c : changed) lines.push_back({c.student, std::isnan(c.before) ? "none" : brief(c.before), std::isnan(c.after) ? "none" : brief(c.after), c.why});
     page.body += "<h2>Changed since the earlier run</h2>" + report::table({"student", "before", "after", "why"}, lines, {1, 2}, "Points before and after");
   }
+  page.body += "<h2>Students</h2>" + list;
+  page.body += "<h2>Scores</h2>" + histogram(rows);
   page.body += "<h2>Most failed checks</h2>" + counted(failures, "check", check_says);
+  if (stubs > 0) page.body += "<p class=\"soft\">Functions left as they were handed out are not counted here; " + std::to_string(stubs) + (stubs == 1 ? " student has" : " students have") + " some.</p>";
   page.body += "<h2>Misconceptions</h2>" + counted(named, "named", mistake_says);
   page.body += "<h2>The same failures</h2>" + same_failures(rows);
   const auto pairs = unfair(rows);
-  page.body += "<h2>Fairness</h2><p>" + (pairs.empty() ? "Nobody who failed everything another failed, and more, has more points than the other."
+  page.body += "<h2>Fairness</h2><p>" + (pairs.empty() ? "Every two students were compared: no one has more points than a classmate after failing all the checks that classmate failed and at least one more."
                                                        : escape(pairs.front().first + " failed more than " + pairs.front().second + " and has more points: " + std::to_string(pairs.size()) + " such pairs")) + "</p>";
-  page.body += "<h2>Students</h2>" + list;
   page.footer = "seed " + std::to_string(rubric.seed) + ", " + std::to_string(rubric.cases) + " cases a check, rubric " + rubric.hash();
   return report::render(page);
 }

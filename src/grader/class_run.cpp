@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/grader/build_hash.hpp>
 #include <rigor/grader/class_run.hpp>
 #include <set>
 #include <thread>
@@ -11,9 +13,11 @@
 namespace rigor::grader {
 namespace {
 
+constexpr const char* stopped = "interrupted";
+
 std::string tool_of(const std::string& tool, const std::string& hash) { return tool + " " + hash; }
 
-// nullopt: no report, or one that cannot be read.
+// nullopt: no report, or one that cannot be read. An entry without a name gets the report's.
 std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const Entry& entry) {
   const auto text = read_file(report_json);
   if (!text) return std::nullopt;
@@ -22,6 +26,7 @@ std::optional<ClassRow> row_from(const std::filesystem::path& report_json, const
   ClassRow row;
   row.entry = entry;
   try {
+    if (entry.student.empty()) row.entry.student = json.at("submission").at("name");
     row.score = json.at("score");
     row.max_score = json.at("max_score");
     row.tool = tool_of(json.at("tool"), json.value("tool_hash", ""));
@@ -55,6 +60,7 @@ ClassRow troubled(const Entry& entry, const std::string& why) {
 }
 
 ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOptions& options) {
+  if (!entry.trouble.empty()) return troubled(entry, entry.trouble);
   const std::filesystem::path dir = options.out / safe_name(entry.student);
   const auto submission = open_submission(entry.uploads);
   if (!submission) return troubled(entry, submission.fault().text());
@@ -65,8 +71,8 @@ ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOption
       return *old;
     }
   auto graded = grade(*submission, rubric, {}, {});
+  if (interrupted() != 0) return troubled(entry, stopped);
   if (!graded) return troubled(entry, graded.fault().text());
-  if (interrupted() != 0) return troubled(entry, "interrupted");
   Report report = *graded;
   report.tool = options.tool;
   report.submission = entry.student;
@@ -88,7 +94,8 @@ std::string safe_name(const std::string& student) {
     std::snprintf(code, sizeof code, "%%%02X", unsigned(static_cast<unsigned char>(c)));
     out += plain ? std::string(1, c) : code;
   }
-  return out;
+  constexpr std::size_t longest = 200;  // file systems take 255 bytes
+  return out.size() <= longest ? out : out.substr(0, longest - 17) + "-" + sha256(student).substr(0, 16);
 }
 
 std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubric& rubric, const ClassOptions& options) {
@@ -102,7 +109,7 @@ std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubri
     for (int k = 0; k < options.jobs; ++k)
       threads.emplace_back([&] {
         for (std::size_t i = next++; i < entries.size(); i = next++) {
-          rows[i] = interrupted() != 0 ? troubled(entries[i], "interrupted") : grade_entry(entries[i], rubric, options);
+          rows[i] = interrupted() != 0 ? troubled(entries[i], stopped) : grade_entry(entries[i], rubric, options);
           const std::lock_guard lock(mutex);
           options.progress(++done, int(entries.size()));
         }
@@ -111,14 +118,38 @@ std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubri
   return rows;
 }
 
-Outcome<std::vector<ClassRow>> read_class(const std::vector<Entry>& entries, const std::filesystem::path& out) {
+std::vector<std::string> remove_stale_reports(const std::filesystem::path& out, const std::vector<ClassRow>& rows) {
+  namespace fs = std::filesystem;
+  std::set<std::string> kept;
+  for (const ClassRow& row : rows)
+    if (row.trouble.empty() || row.trouble == stopped) kept.insert(safe_name(row.entry.student));
   std::error_code ec;
-  if (!std::filesystem::is_directory(out, ec)) return Fault{Fault::Kind::unreadable, out.string(), "is not a directory"};
-  std::vector<ClassRow> rows;
-  for (const Entry& entry : entries) {
-    auto row = row_from(out / safe_name(entry.student) / "report.json", entry);
-    rows.push_back(row ? *row : troubled(entry, "not in the earlier run"));
+  std::vector<std::string> removed;
+  std::vector<fs::path> stale;
+  for (const auto& item : fs::directory_iterator(out, ec))
+    if (item.is_directory() && !item.is_symlink() && kept.count(item.path().filename().string()) == 0) stale.push_back(item.path());
+  std::sort(stale.begin(), stale.end());
+  for (const fs::path& dir : stale) {
+    const auto row = row_from(dir / "report.json", {});
+    if (!row || safe_name(row->entry.student) != dir.filename().string()) continue;  // not ours
+    for (const char* name : {"report.json", "report.html", "report.txt"}) fs::remove(dir / name, ec);
+    fs::remove(dir, ec);  // where nothing else is in it
+    removed.push_back(row->entry.student);
   }
+  return removed;
+}
+
+Outcome<std::vector<ClassRow>> read_class(const std::filesystem::path& out) {
+  namespace fs = std::filesystem;
+  std::error_code ec;
+  if (!fs::is_directory(out, ec)) return Fault{Fault::Kind::unreadable, out.string(), "is not a directory"};
+  const auto scores = read_file(out / "scores.csv");
+  if (!scores || scores->rfind("student,score,max_score,", 0) != 0)
+    return Fault{Fault::Kind::malformed, out.string(), "is not the --out of an earlier 'rigor class': no scores.csv of one is in it"};
+  std::vector<ClassRow> rows;
+  for (const auto& item : fs::directory_iterator(out, ec))
+    if (auto row = row_from(item.path() / "report.json", {})) rows.push_back(*row);
+  std::sort(rows.begin(), rows.end(), [](const ClassRow& a, const ClassRow& b) { return a.entry.student < b.entry.student; });
   return rows;
 }
 

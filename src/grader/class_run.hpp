@@ -33,27 +33,36 @@ struct ClassOptions {
 /// others; an interrupt leaves whole files, and the next run goes on.
 std::vector<ClassRow> grade_class(const std::vector<Entry>& entries, const Rubric& rubric, const ClassOptions& options);
 
-/// The rows of an earlier run, from the reports below its directory, in the order of `entries`; a student without a
-/// report there has trouble "not in the earlier run". Faults: unreadable (no directory).
-Outcome<std::vector<ClassRow>> read_class(const std::vector<Entry>& entries, const std::filesystem::path& out);
+/// Takes the reports (report.html, report.txt, report.json) of those away who have no grade in `rows`, or are not among them:
+/// nobody shall find an old mark. Those the interrupt left ungraded keep theirs. Gives the students' names.
+/// Call with every row graded or in trouble.
+std::vector<std::string> remove_stale_reports(const std::filesystem::path& out, const std::vector<ClassRow>& rows);
+
+/// Everybody with a report below the --out of an earlier run; of the entry only the name is known.
+/// Faults: unreadable (no directory), malformed (no scores.csv of a run in it).
+Outcome<std::vector<ClassRow>> read_class(const std::filesystem::path& out);
 
 /// What a regrade changed: student, points before and after, and why (files, tool or rubric differ; checks whose verdict
-/// changed). Students whose points and verdicts are the same are left out.
+/// changed; new; gone). Students whose points and verdicts are the same are left out.
 struct Change {
   std::string student;
   double before, after;         ///< NaN where there is no grade
-  std::string why;              ///< "the rubric changed; force.sum fail -> pass"
+  std::string why;              ///< "other rubric; force.sum fail -> pass"
 };
 std::vector<Change> changes(const std::vector<ClassRow>& before, const std::vector<ClassRow>& after);
 std::string changes_csv(const std::vector<Change>& list);
 
-/// A gradebook with the points filled in, every other cell as it was. Reads Canvas (columns "SIS Login ID", "ID"; the
-/// points go to `column`), Moodle ("Email address" or "Identifier", "Grade") and Autolab upload forms (no header:
-/// e-mail first). Rows nobody was graded for stay as they are and are counted in `unmatched`.
+/// A gradebook with the points filled in, every other cell as it was. The points go to the column `column` ("Grade" when
+/// empty); without a header, in Autolab's form (e-mail first), to the second. A row is a student's where what the platform
+/// said of him stands in it, letter case aside: e-mail (columns Email, Email address, SIS Login ID, Username), the school's
+/// number (SIS User ID, Student ID, SID, ID number), Canvas' number (ID), Moodle's participant number (Identifier), failing
+/// that Moodle's full name (Full name) if it is there once; the name of a plain folder or archive in any of these or in
+/// Student. Where two rows fit one student, or two students one row, none is filled in.
 /// Faults: unreadable, malformed (no column that names students), missing (no column `column`; the message lists them).
 struct Filled {
   std::string csv;
-  int filled = 0, unmatched = 0;
+  int filled = 0, rows = 0;             ///< rows of students, without Canvas' "Points Possible"
+  std::vector<std::string> remarks;     ///< overwritten values, rows left as they were, students without a row, other points possible: a line each
 };
 Outcome<Filled> fill_gradebook(const std::filesystem::path& gradebook, const std::string& column, const std::vector<ClassRow>& rows);
 
@@ -64,7 +73,7 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
 /// Pairs (a, b): a failed everything b failed and more, yet has more points. Empty when grading is fair.
 std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassRow>& rows);
 
-/// A student's name as a directory name: letters, digits, . _ - @ stay, the rest becomes %XX.
+/// A student's name as a directory name: letters, digits, . _ - @ stay, the rest becomes %XX; a long one ends with its hash.
 std::string safe_name(const std::string& student);
 
 }  // namespace rigor::grader

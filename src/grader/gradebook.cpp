@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <rigor/base/file.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/grader/class_run.hpp>
@@ -58,17 +60,162 @@ std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
-// Canvas files are named lastfirst_<id>: the id stands in the gradebook's column "ID".
-bool names(const ClassRow& row, const std::string& cell) {
-  if (cell.empty()) return false;
-  const std::string student = lower(row.entry.student), asked = lower(cell);
-  return student == asked || student.ends_with("_" + asked) || student.rfind(asked + "@", 0) == 0 || asked.rfind(student + "@", 0) == 0;
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+std::optional<double> number(const std::string& text) {
+  const std::string t = trimmed(text);
+  char* end = nullptr;
+  const double x = std::strtod(t.c_str(), &end);
+  return t.empty() || *end != '\0' ? std::nullopt : std::optional(x);
 }
 std::optional<std::size_t> column_named(const Line& header, const std::string& name) {
   for (std::size_t i = 0; i < header.size(); ++i)
-    if (lower(header[i]) == lower(name)) return i;
+    if (lower(trimmed(header[i])) == lower(name)) return i;
   return std::nullopt;
 }
+
+// What a column says of a student.
+enum class Says { email, school_id, canvas_id, participant, full_name, sortable_name };
+struct KeyColumn {
+  const char* header;
+  Says says;
+};
+constexpr KeyColumn key_columns[] = {{"Email", Says::email},           {"Email address", Says::email},     {"SIS Login ID", Says::email},      {"Username", Says::email},
+                                     {"SIS User ID", Says::school_id}, {"Student ID", Says::school_id},    {"SID", Says::school_id},           {"ID number", Says::school_id},
+                                     {"ID", Says::canvas_id},          {"Identifier", Says::participant},  {"Full name", Says::full_name},     {"Student", Says::sortable_name}};
+
+bool equal(const std::string& a, const std::string& b) { return !trimmed(a).empty() && lower(trimmed(a)) == lower(trimmed(b)); }
+// "Participant 987", in whatever language.
+std::string digits_at_end(const std::string& text) { return text.substr(text.find_last_not_of("0123456789") + 1); }
+// Letters and digits alone: what Moodle leaves of a name in the name of a folder.
+std::string bare(const std::string& name) {
+  std::string out;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80) out += char(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+/// Which rows of a gradebook are whose.
+class Gradebook {
+ public:
+  Gradebook(std::vector<Line> lines, std::vector<std::pair<std::size_t, Says>> keys, std::size_t first, std::size_t target)
+      : lines_(std::move(lines)), keys_(std::move(keys)), first_(first), target_(target) {}
+
+  Filled fill(const std::vector<ClassRow>& rows) {
+    Filled filled;
+    struct Claim {
+      const ClassRow* row;
+      std::string who;
+    };
+    std::map<std::size_t, std::vector<Claim>> claims;
+    for (const ClassRow& row : rows)
+      for (const Person& person : row.entry.people.empty() ? std::vector<Person>{{.name = row.entry.student}} : row.entry.people) {
+        const std::string who = row.entry.people.size() > 1 ? row.entry.student + ": " + (person.name.empty() ? person.email : person.name) : row.entry.student;
+        const auto found = rows_of(person, row.entry.people.empty());
+        if (found.size() == 1) claims[found.front()].push_back({&row, who});
+        else if (found.empty()) filled.remarks.push_back(who + ": " + result(row) + "; no row of the gradebook is this student's");
+        else filled.remarks.push_back(who + ": " + result(row) + "; not filled in, several rows fit: " + title(found[0]) + " and " + title(found[1]));
+      }
+    for (std::size_t k = first_; k < lines_.size(); ++k) {
+      if (!is_student(k)) {
+        possible(k, rows, filled);
+        continue;
+      }
+      ++filled.rows;
+      const std::string was = target_ < lines_[k].size() ? trimmed(lines_[k][target_]) : "", kept = was.empty() ? "stays empty" : "keeps " + was;
+      const auto at = claims.find(k);
+      if (at == claims.end()) {
+        filled.remarks.push_back(title(k) + ": not filled in, nobody's submission; " + kept);
+      } else if (at->second.size() > 1) {
+        filled.remarks.push_back(title(k) + ": not filled in, " + at->second[0].who + " and " + at->second[1].who + " both fit; " + kept);
+      } else if (const Claim& claim = at->second.front(); !claim.row->trouble.empty()) {
+        filled.remarks.push_back(title(k) + ": not filled in, could not be graded (" + claim.who + "); " + kept);
+      } else {
+        const auto before = number(was);
+        if (!was.empty() && (!before || *before != claim.row->score)) filled.remarks.push_back(title(k) + ": " + was + " overwritten with " + points_text(claim.row->score));
+        if (lines_[k].size() <= target_) lines_[k].resize(target_ + 1);
+        lines_[k][target_] = points_text(claim.row->score);
+        ++filled.filled;
+      }
+    }
+    maximum_grade(rows, filled);
+    filled.csv = write_csv(lines_);
+    return filled;
+  }
+
+ private:
+  const std::string& at(std::size_t line, std::size_t column) const {
+    static const std::string none;
+    return column < lines_[line].size() ? lines_[line][column] : none;
+  }
+  static std::string result(const ClassRow& row) { return row.trouble.empty() ? points_text(row.score) + " points" : "could not be graded"; }
+  bool is_student(std::size_t k) const {
+    if (lower(trimmed(at(k, 0))) == "points possible") return false;
+    return std::any_of(keys_.begin(), keys_.end(), [&](const auto& key) { return !trimmed(at(k, key.first)).empty(); });
+  }
+  /// "Lovelace, Ada (77)"
+  std::string title(std::size_t k) const {
+    std::string name, id;
+    for (const auto& [column, says] : keys_) {
+      const std::string text = trimmed(at(k, column));
+      std::string& part = says == Says::full_name || says == Says::sortable_name ? name : id;
+      if (part.empty()) part = text;
+    }
+    return name.empty() ? id : id.empty() ? name : name + " (" + id + ")";
+  }
+  std::string full_name(std::size_t k) const {
+    for (const auto& [column, says] : keys_)
+      if (says == Says::full_name) return at(k, column);
+    return "";
+  }
+  std::vector<std::size_t> rows_of(const Person& person, bool only_a_name) const {
+    std::vector<std::size_t> found;
+    for (std::size_t k = first_; k < lines_.size(); ++k)
+      if (is_student(k) && std::any_of(keys_.begin(), keys_.end(), [&](const auto& key) { return fits(person, only_a_name, k, key.first, key.second); })) found.push_back(k);
+    if (!found.empty() || person.participant.empty()) return found;
+    for (std::size_t k = first_; k < lines_.size(); ++k)
+      if (is_student(k) && equal(full_name(k), person.name)) found.push_back(k);
+    return found;
+  }
+  bool fits(const Person& person, bool only_a_name, std::size_t k, std::size_t column, Says says) const {
+    const std::string& cell = at(k, column);
+    if (only_a_name) return equal(cell, person.name);
+    switch (says) {
+      case Says::email: return equal(cell, person.email);
+      case Says::school_id: return equal(cell, person.school_id);
+      case Says::canvas_id: return equal(cell, person.canvas_id);
+      case Says::participant:  // numbers belong to one assignment: of another's worksheet they are somebody else's
+        return equal(digits_at_end(trimmed(cell)), person.participant) && (bare(full_name(k)).empty() || bare(full_name(k)) == bare(person.name));
+      default: return false;
+    }
+  }
+  static std::optional<double> rubric_maximum(const std::vector<ClassRow>& rows) {
+    for (const ClassRow& row : rows)
+      if (row.trouble.empty()) return row.max_score;
+    return std::nullopt;
+  }
+  void possible(std::size_t k, const std::vector<ClassRow>& rows, Filled& filled) const {
+    const auto here = number(at(k, target_)), ours = rubric_maximum(rows);
+    if (here && ours && *here != *ours)
+      filled.remarks.push_back("the gradebook's points possible are " + trimmed(at(k, target_)) + ", the rubric's " + points_text(*ours) + ": the points are filled in as they are");
+  }
+  void maximum_grade(const std::vector<ClassRow>& rows, Filled& filled) const {
+    const auto column = first_ == 0 ? std::nullopt : column_named(lines_.front(), "Maximum Grade");
+    const auto ours = rubric_maximum(rows);
+    if (!column || !ours) return;
+    for (std::size_t k = first_; k < lines_.size(); ++k)
+      if (const auto here = number(at(k, *column)); here && *here != *ours) {
+        filled.remarks.push_back("the gradebook's maximum grade is " + trimmed(at(k, *column)) + ", the rubric's " + points_text(*ours) + ": the points are filled in as they are");
+        return;
+      }
+  }
+
+  std::vector<Line> lines_;
+  std::vector<std::pair<std::size_t, Says>> keys_;
+  std::size_t first_, target_;
+};
 
 }  // namespace
 
@@ -79,71 +226,59 @@ Outcome<Filled> fill_gradebook(const std::filesystem::path& gradebook, const std
   auto lines = parse_csv(*text);
   if (!lines || lines->empty()) return Fault{Kind::malformed, gradebook.string(), "is no CSV file (empty, or a quote is not closed)"};
   const Line header = lines->front();
-  std::vector<std::size_t> keys;
-  for (const char* key : {"ID", "SIS Login ID", "SIS User ID", "Email address", "Identifier", "Username", "Student"})
-    if (const auto i = column_named(header, key)) keys.push_back(*i);
-  std::size_t first = 1, target = 0;
+  std::vector<std::pair<std::size_t, Says>> keys;
+  for (const KeyColumn& key : key_columns)
+    if (const auto i = column_named(header, key.header)) keys.push_back({*i, key.says});
   if (keys.empty() && header.front().find('@') != std::string::npos) {  // Autolab's form: e-mail, then the points
-    keys = {0};
-    first = 0;
-    target = 1;
-  } else if (keys.empty()) {
+    if (!column.empty()) return Fault{Kind::malformed, gradebook.string(), "has no header to find the column '" + column + "' in; without --column the points go to the second"};
+    return Gradebook(*lines, {{0, Says::email}}, 0, 1).fill(rows);
+  }
+  if (keys.empty())
     return Fault{Kind::malformed, gradebook.string(), "has no column that names students (ID, SIS Login ID, Email address, Identifier, Username), and no e-mail first"};
-  } else {
-    const auto wanted = column_named(header, column.empty() ? "Grade" : column);
-    if (!wanted) {
-      std::string all;
-      for (const std::string& name : header) all += (all.empty() ? "" : ", ") + name;
-      return Fault{Kind::missing, gradebook.string(), "has no column '" + (column.empty() ? "Grade" : column) + "'" + did_you_mean(column, header) + "; columns: " + all};
-    }
-    target = *wanted;
+  const auto wanted = column_named(header, column.empty() ? "Grade" : column);
+  if (!wanted) {
+    std::string all;
+    for (const std::string& name : header) all += (all.empty() ? "" : ", ") + name;
+    return Fault{Kind::missing, gradebook.string(), "has no column '" + (column.empty() ? "Grade" : column) + "'" + did_you_mean(column, header) + "; columns: " + all};
   }
-  Filled filled;
-  for (std::size_t k = first; k < lines->size(); ++k) {
-    Line& line = (*lines)[k];
-    const ClassRow* who = nullptr;
-    for (const std::size_t key : keys)
-      for (const ClassRow& row : rows)
-        if (who == nullptr && key < line.size() && row.trouble.empty() && names(row, line[key])) who = &row;
-    if (who == nullptr) {
-      ++filled.unmatched;
-      continue;
-    }
-    if (line.size() <= target) line.resize(target + 1);
-    line[target] = points_text(who->score);
-    ++filled.filled;
-  }
-  filled.csv = write_csv(*lines);
-  return filled;
+  return Gradebook(*lines, keys, 1, *wanted).fill(rows);
 }
 
 std::vector<Change> changes(const std::vector<ClassRow>& before, const std::vector<ClassRow>& after) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<Change> list;
-  for (const ClassRow& now : after)
-    for (const ClassRow& then : before) {
-      if (then.entry.student != now.entry.student) continue;
-      Change change{now.entry.student, then.trouble.empty() ? then.score : none, now.trouble.empty() ? now.score : none, ""};
-      std::string moved;
-      for (const auto& [id, verdict] : now.verdicts) {
-        const auto old = then.verdicts.find(id);
-        const std::string was = old == then.verdicts.end() ? "absent" : old->second;
-        const bool points = old != then.verdicts.end() && then.points.count(id) != 0 && now.points.count(id) != 0 && then.points.at(id) != now.points.at(id);
-        if (was != verdict) moved += "; " + id + " " + was + " -> " + verdict;
-        else if (points) moved += "; " + id + " " + points_text(then.points.at(id)) + " -> " + points_text(now.points.at(id)) + " points";
-      }
-      const bool same = (change.before == change.after || (std::isnan(change.before) && std::isnan(change.after))) && moved.empty();
-      if (same) continue;
-      if (!then.trouble.empty()) change.why += "; before: " + then.trouble;
-      if (!now.trouble.empty()) change.why += "; now: " + now.trouble;
-      if (then.trouble.empty() && now.trouble.empty()) {
-        if (then.submission_hash != now.submission_hash) change.why += "; other files";
-        if (then.tool != now.tool) change.why += "; tool " + then.tool + " -> " + now.tool;
-        if (then.rubric_hash != now.rubric_hash) change.why += "; other rubric";
-      }
-      change.why = (change.why + moved).substr(2);
-      list.push_back(change);
+  const auto grade_of = [&](const ClassRow& row) { return row.trouble.empty() ? row.score : none; };
+  std::map<std::string, const ClassRow*> earlier;
+  for (const ClassRow& then : before) earlier[then.entry.student] = &then;
+  for (const ClassRow& now : after) {
+    const auto found = earlier.find(now.entry.student);
+    if (found == earlier.end()) {
+      list.push_back({now.entry.student, none, grade_of(now), "new: no report in the earlier run" + (now.trouble.empty() ? "" : "; now: " + now.trouble)});
+      continue;
     }
+    const ClassRow& then = *found->second;
+    earlier.erase(found);
+    Change change{now.entry.student, grade_of(then), grade_of(now), ""};
+    std::string moved;
+    for (const auto& [id, verdict] : now.verdicts) {
+      const auto old = then.verdicts.find(id);
+      const std::string was = old == then.verdicts.end() ? "absent" : old->second;
+      const bool points = old != then.verdicts.end() && then.points.count(id) != 0 && now.points.count(id) != 0 && then.points.at(id) != now.points.at(id);
+      if (was != verdict) moved += "; " + id + " " + was + " -> " + verdict;
+      else if (points) moved += "; " + id + " " + points_text(then.points.at(id)) + " -> " + points_text(now.points.at(id)) + " points";
+    }
+    if (change.before == change.after && moved.empty()) continue;
+    if (!now.trouble.empty()) change.why += "; now: " + now.trouble;
+    else {
+      if (then.submission_hash != now.submission_hash) change.why += "; other files";
+      if (then.tool != now.tool) change.why += "; tool " + then.tool + " -> " + now.tool;
+      if (then.rubric_hash != now.rubric_hash) change.why += "; other rubric";
+    }
+    change.why += moved;
+    if (!change.why.empty()) change.why = change.why.substr(2);
+    list.push_back(change);
+  }
+  for (const auto& [student, then] : earlier) list.push_back({student, grade_of(*then), none, "gone: graded in the earlier run, no submission now"});
   return list;
 }
 

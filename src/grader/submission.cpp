@@ -189,7 +189,7 @@ bool is_expected(const Found& file) {
 /// "Cuboid-1.cpp" of a second upload, "lovelaceada_LATE_12_34_Cuboid.cpp" of Canvas: the file's own name.
 std::string uploaded_name(const std::string& name) {
   static const std::regex canvas(R"(^[a-z0-9]+(?:_LATE|_late)?_\d+_\d+_(.+)$)"), again(R"(^(.*\w)-\d+(\.\w+)$)"),
-      autolab(R"(^[^_@\s]+@[^_\s]+_\d+_(.+)$)");
+      autolab(R"(^[^@\s]+@[^@_\s]+_\d+_(.+)$)");
   std::smatch match;
   std::string own = std::regex_match(name, match, canvas) || std::regex_match(name, match, autolab) ? match[1].str() : name;
   return std::regex_match(own, match, again) ? match[1].str() + match[2].str() : own;

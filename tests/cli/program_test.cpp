@@ -112,6 +112,12 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"explain moi.body", "'moi.body' is a check, its formula is 'inertia.cuboid'"},
       {"grade /nowhere --format pdf", "is none of text, json, html, junit, gradescope, autolab"},
       {"class /nowhere", "is not a directory"},
+      {"class /nowhere --column Grade", "--column: is 'Grade' without --fill"},
+      {"class " RIGOR_SOURCE_DIR "/tests/submissions/wrong --out " RIGOR_SOURCE_DIR "/tests/submissions/wrong/graded", "must be outside"},
+      {"class " RIGOR_SOURCE_DIR "/tests/submissions/wrong --out " RIGOR_SOURCE_DIR "/tests/submissions/wrong/", "must be outside"},
+      {"class " RIGOR_SOURCE_DIR "/tests/submissions/wrong --out /nowhere/x --against /nowhere/y/../x/", "--against: is the same directory as --out"},
+      {"class " RIGOR_SOURCE_DIR "/tests/submissions/wrong --out /nowhere/x --against " RIGOR_SOURCE_DIR "/tests/submissions/right", "is not the --out of an earlier 'rigor class'"},
+      {"grade /a1/hw /b1/hw --out /nowhere/multi", "/a1/hw and /b1/hw would both write to /nowhere/multi/hw"},
       {"--nonsense", "is required"},
       {"", "is required"},
   };
@@ -130,6 +136,14 @@ TEST_F(Program, PrintsNoMarkWhenGradingIsInterrupted) {
   EXPECT_TRUE(contains(ran.text, "interrupted, not graded")) << ran.text;
   EXPECT_FALSE(contains(ran.text, "of 100")) << ran.text;
   EXPECT_FALSE(std::filesystem::exists(dir / "out" / "report.json"));
+}
+
+TEST_F(Program, NamesAStudentOnceWhereAClassIsInterrupted) {
+  const Ran ran = rigor_says("class " RIGOR_SOURCE_DIR "/tests/submissions/kit/.. --out " + (dir / "out").string(),
+                             "RIGOR_CACHE=" + (dir / "cache").string() + " timeout --foreground --preserve-status -s INT 1 ");
+  EXPECT_EQ(ran.status, 130) << ran.text;
+  EXPECT_TRUE(contains(ran.text, "rigor class: kit: interrupted\n")) << ran.text;
+  EXPECT_FALSE(contains(ran.text, "interrupted while")) << ran.text;
 }
 
 TEST_F(Program, RefusesBrokenScenesAndLeavesNothingBehind) {

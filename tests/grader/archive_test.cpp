@@ -236,14 +236,17 @@ ClassRow graded(const std::string& student, double score, std::map<std::string, 
 }
 
 TEST_F(ArchivedSubmission, GradebooksAreFilledInAndNothingElseChanges) {
-  const std::vector<ClassRow> rows{graded("ada@x.edu", 87.5), graded("lovelaceada_77", 100)};
+  std::vector<ClassRow> rows{graded("ada@x.edu", 87.5), graded("lovelaceada_77", 100)};
+  rows[1].entry.people = {{.canvas_id = "77"}};
   const std::string canvas = "Student,ID,SIS Login ID,Section,Rigid (12)\n    Points Possible,,,,100\n\"Lovelace, Ada\",77,ada2,\"A \"\"1\"\"\",\nNobody,78,nobody,B,3\n";
   EXPECT_TRUE(write_file(root / "canvas.csv", canvas));
   const auto filled = fill_gradebook(root / "canvas.csv", "Rigid (12)", rows);
   ASSERT_TRUE(filled) << filled.fault().text();
   EXPECT_EQ(filled->csv, "Student,ID,SIS Login ID,Section,Rigid (12)\n    Points Possible,,,,100\n\"Lovelace, Ada\",77,ada2,\"A \"\"1\"\"\",100\nNobody,78,nobody,B,3\n");
   EXPECT_EQ(filled->filled, 1);
-  EXPECT_EQ(filled->unmatched, 2);
+  EXPECT_EQ(filled->rows, 2) << "points possible are no student";
+  EXPECT_EQ(filled->remarks, (std::vector<std::string>{"ada@x.edu: 87.5 points; no row of the gradebook is this student's",
+                                                       "Nobody (nobody): not filled in, nobody's submission; keeps 3"}));
 
   EXPECT_TRUE(write_file(root / "moodle.csv", "Identifier,Full name,Email address,Grade\nParticipant 1,Ada,ada@x.edu,\n"));
   EXPECT_EQ(fill_gradebook(root / "moodle.csv", "", rows)->csv, "Identifier,Full name,Email address,Grade\nParticipant 1,Ada,ada@x.edu,87.5\n");
@@ -255,6 +258,63 @@ TEST_F(ArchivedSubmission, GradebooksAreFilledInAndNothingElseChanges) {
   EXPECT_NE(wrong.fault().text().find("did you mean 'Rigid (12)'?"), std::string::npos) << wrong.fault().text();
   EXPECT_TRUE(write_file(root / "broken.csv", "ID,Grade\n\"77,3\n"));
   EXPECT_EQ(fill_gradebook(root / "broken.csv", "", rows).fault().kind, Fault::Kind::malformed);
+}
+
+TEST_F(ArchivedSubmission, PointsGoToThePersonThePlatformNamesAndWhatIsWrittenOverIsSaid) {
+  ClassRow bob = graded("Bob", 94);
+  bob.entry.people = {{.name = "Bob", .email = "robert@uni.edu", .school_id = "11"}};
+  ClassRow group = graded("Ada and Alan", 80);
+  group.entry.people = {{.name = "Ada", .email = "ada@uni.edu"}, {.name = "Alan", .email = "alan@uni.edu"}};
+  ClassRow broken = graded("Sam", 0);
+  broken.entry.people = {{.name = "Sam", .email = "sam@uni.edu"}};
+  broken.trouble = "damaged";
+  EXPECT_TRUE(write_file(root / "g.csv", "Student,SIS User ID,SIS Login ID,Grade\n    Points Possible,,,50\nR,11,robert@uni.edu,60\nB,12,bob@uni.edu,77\n"
+                                         "A,1,ADA@uni.edu,\nAl,2,alan@uni.edu,80.0\nS,3,sam@uni.edu,55\n"));
+  const auto filled = fill_gradebook(root / "g.csv", "", {bob, group, broken});
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->csv, "Student,SIS User ID,SIS Login ID,Grade\n    Points Possible,,,50\nR,11,robert@uni.edu,94\nB,12,bob@uni.edu,77\n"
+                         "A,1,ADA@uni.edu,80\nAl,2,alan@uni.edu,80\nS,3,sam@uni.edu,55\n");
+  EXPECT_EQ(filled->remarks, (std::vector<std::string>{"the gradebook's points possible are 50, the rubric's 100: the points are filled in as they are",
+                                                       "R (robert@uni.edu): 60 overwritten with 94", "B (bob@uni.edu): not filled in, nobody's submission; keeps 77",
+                                                       "S (sam@uni.edu): not filled in, could not be graded (Sam); keeps 55"}));
+  // the e-mail is one row's, the number another's; a plain folder is nobody's e-mail
+  EXPECT_TRUE(write_file(root / "g.csv", "SIS User ID,SIS Login ID,Grade\n11,x@uni.edu,\n12,robert@uni.edu,\n"));
+  const auto torn = fill_gradebook(root / "g.csv", "", {bob, graded("x", 5)});
+  EXPECT_EQ(torn->filled, 0);
+  EXPECT_EQ(torn->remarks.at(0), "Bob: 94 points; not filled in, several rows fit: x@uni.edu and robert@uni.edu");
+  EXPECT_EQ(torn->remarks.at(1), "x: 5 points; no row of the gradebook is this student's");
+  // two submissions for one row
+  ClassRow twin = bob;
+  twin.score = 3;
+  EXPECT_TRUE(write_file(root / "g.csv", "SIS Login ID,Grade\nrobert@uni.edu,9\n"));
+  EXPECT_EQ(fill_gradebook(root / "g.csv", "", {bob, twin})->csv, "SIS Login ID,Grade\nrobert@uni.edu,9\n");
+
+  EXPECT_TRUE(write_file(root / "autolab.csv", "ada@uni.edu,0\n"));
+  EXPECT_FALSE(fill_gradebook(root / "autolab.csv", "Grade", {group})) << "there is no header to find it in";
+}
+
+TEST_F(ArchivedSubmission, MoodlesWorksheetIsFilledByParticipantNumberElseByFullName) {
+  for (const char* name : {"Ada Lovelace_987_assignsubmission_file_", "Pat OBrien_55_assignsubmission_file_", "Kim Li_60_assignsubmission_file_", "Jo Ny_70_assignsubmission_file_"})
+    fs::create_directories(root / "in" / name);
+  const auto roster = read_roster(root / "in");
+  ASSERT_TRUE(roster);
+  std::vector<ClassRow> rows;
+  for (const Entry& entry : *roster) rows.push_back(graded(entry.student, 10 + double(rows.size()))), rows.back().entry = entry;  // Ada, Jo, Kim, Pat
+  EXPECT_TRUE(write_file(root / "m.csv", "Identifier,Full name,Email address,Grade,Maximum Grade\nParticipant 1987,Eve,e@x,,100\nParticipant 987,Ada Lovelace,a@x,,100\n"
+                                         "Teilnehmer/in55,Pat O'Brien,p@x,,100\nParticipant 61,Kim Li,k@x,,100\nParticipant 70,Somebody Else,s@x,5,100\n"));
+  const auto filled = fill_gradebook(root / "m.csv", "", rows);
+  ASSERT_TRUE(filled);
+  EXPECT_EQ(filled->csv, "Identifier,Full name,Email address,Grade,Maximum Grade\nParticipant 1987,Eve,e@x,,100\nParticipant 987,Ada Lovelace,a@x,10,100\n"
+                         "Teilnehmer/in55,Pat O'Brien,p@x,13,100\nParticipant 61,Kim Li,k@x,12,100\nParticipant 70,Somebody Else,s@x,5,100\n");
+  EXPECT_TRUE(write_file(root / "m.csv", "Identifier,Full name,Grade,Maximum Grade\nParticipant 1,Kim Li,,50\nParticipant 2,Kim Li,,50\n"));
+  const auto twice = fill_gradebook(root / "m.csv", "", rows);
+  EXPECT_EQ(twice->filled, 0) << "a name that is there twice says nothing";
+  EXPECT_EQ(twice->remarks.back(), "the gradebook's maximum grade is 50, the rubric's 100: the points are filled in as they are");
+}
+
+TEST(Changes, SayWhoIsNewAndWhoIsGone) {
+  const auto list = changes({graded("tony", 55, {{"force.sum", "fail"}})}, {graded("ada", 90, {{"force.sum", "pass"}, {"moi.body", "pass"}})});
+  EXPECT_EQ(changes_csv(list), "student,before,after,why\nada,,90,new: no report in the earlier run\ntony,55,,\"gone: graded in the earlier run, no submission now\"\n");
 }
 
 TEST(Changes, NameWhatMovedAndWhy) {

@@ -156,6 +156,8 @@ test('the page of the class', async () => {
     assert.equal(await page.locator('img').count(), 0);
     assert.equal(await page.evaluate(() => window.hurt), undefined);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing hangs over the edge');
+    const counts = await page.locator('div[aria-label^="check, by number"] td.n').evaluateAll(all => all.map(cell => cell.getBoundingClientRect().right));
+    assert.ok(counts.length > 0 && counts.every(right => right <= page.viewportSize().width), `how many failed a check is seen: ${counts}`);
     await nothing_wrong(page);
     await shot(page, name);
     if (name !== 'class') continue;
