@@ -45,6 +45,7 @@ constexpr const char* autograde_makefile = R"file(all:
 constexpr const char* autolab_run = R"file(#!/bin/sh
 # Autolab runs this through the Makefile, beside handin.zip.
 here=$(cd "$(dirname "$0")" && pwd)
+rm -rf out out.log  # of an earlier hand-in
 "$here/rigor/grade" handin.zip --format text,autolab --out out >out.log 2>&1
 status=$?
 if [ -f out/report.txt ]; then cat out/report.txt; else cat out.log; fi
@@ -94,8 +95,60 @@ You need g++ (Debian, Ubuntu: `apt-get install g++`); with `bubblewrap` your cod
 tolerances are those of the course; the random cases are others. A file that does not compile costs only the functions in
 it that are broken. Every verdict comes with a command that repeats it: `./practice --check ID --case N`.
 
-`CMakeLists.txt` is for your editor. Hand in the files of `src`.
+`practice` is a program for Linux on an x86-64 (Intel, AMD) processor. On Windows run it in WSL: `wsl --install`, then work in its Ubuntu.
+On a Mac, or anywhere else, run it in a container, from this directory:
+
+    docker run --rm -it --platform linux/amd64 -v "$PWD":/kit -w /kit debian:12 bash
+    apt-get update && apt-get install -y g++      # in it; then ./practice
+
+`CMakeLists.txt` is for your editor and compiles on any system. Hand in the files of `src`.
 )file";
+
+// What both platforms' instructions end with.
+constexpr const char* about_package = R"file(
+## Seed, points, packing again
+
+The random cases come from `seed` in the rubric, which is packed (`rigor/rubric.toml`). Keep the package and the seed from students;
+for practice they get `rigor export kit`, which has another seed. To change points, seed or limits, change your rubric and
+pack again into an empty directory:
+
+    rigor grade --print-rubric > course.toml
+    rigor export WHAT NEW_DIRECTORY --rubric course.toml
+
+then upload the new package in place of the old one, and have what was handed in graded again.
+
+## Time
+
+Right code takes some ten seconds, the compiler among them. Slow code is stopped by the rubric's limits (`[limits]`): what its slow calls may take is 40 times
+`call_seconds`, 20 s unless you change it.
+)file";
+constexpr const char* gradescope_readme = R"file(# The autograder for Gradescope
+
+1. In Gradescope: a new programming assignment with POINTS points, those of the packed rubric.
+2. "Configure Autograder": upload `autograder.zip` as it is; base image Ubuntu. `setup.sh` installs g++ and bubblewrap (it needs
+   the network once, while the image is built).
+3. "Test Autograder" with a submission of your own; then publish.
+
+Students hand in their files, or a zip of them. Gradescope stops an autograder after 10 minutes unless the settings say otherwise; then the
+results are "the grader did not finish".
+)file";
+constexpr const char* autolab_readme = R"file(# The lab for Autolab
+
+1. In Autolab: "Install Assessment", "Import from tarball", `rigor.tar`. The directory `rigor` beside it holds the same as files.
+2. "Edit assessment", autograder: set the image to one with g++ and make (`rigor.yml` names `autograding_image`).
+3. Hand in a submission of your own: `handin.zip`, a zip or tar of the files.
+
+The problems are the parts of the rubric, POINTS points in all. `autograde_timeout` in `rigor.yml` is 300 s; a job that is stopped has no scores.
+)file";
+
+std::string readme(std::string text, const char* what, const grader::Rubric& rubric) {
+  double points = 0;
+  for (const grader::Check& check : grader::checks()) points += rubric.points_of(check);
+  char sum[32];
+  std::snprintf(sum, sizeof sum, "%.10g", points);
+  text = std::regex_replace(text, std::regex("POINTS"), sum);
+  return text + std::regex_replace(std::string(about_package), std::regex("WHAT"), what);
+}
 
 /// Where this program is, and with it rigor-grader.
 fs::path own_directory() {
@@ -164,9 +217,10 @@ Outcome<bool> write_kit(const fs::path& to, const std::string& rubric, const gra
   return write_tree(package, to);
 }
 
-Outcome<bool> write_gradescope(const fs::path& to, const std::string& rubric) {
+Outcome<bool> write_gradescope(const fs::path& to, const std::string& rubric, const grader::Rubric& read) {
   Package package{{"setup.sh", setup_sh, true}, {"run_autograder", run_autograder, true}};
   if (const auto added = add_grader(package, "", rubric); !added) return added;
+  if (const auto written = write_file(to / "README.md", readme(gradescope_readme, "gradescope", read)); !written) return written;
   return write_file(to / "autograder.zip", zipped(package));
 }
 
@@ -191,6 +245,7 @@ Outcome<bool> write_autolab(const fs::path& to, const std::string& rubric, const
   const Package lab{{"rigor/rigor.yml", autolab_yml(read)}, {"rigor/rigor.rb", autolab_rb},
                     {"rigor/autograde-Makefile", autograde_makefile}, {"rigor/autograde.tar", tarred(inner)}};
   if (const auto written = write_tree(lab, to); !written) return written;
+  if (const auto written = write_file(to / "README.md", readme(autolab_readme, "autolab", read)); !written) return written;
   return write_file(to / "rigor.tar", tarred(lab));
 }
 
@@ -208,11 +263,14 @@ int export_command(const Options& options) {
   }
   const auto rubric = grader::parse_rubric(text, options.rubric);
   if (!rubric) return bad_input(rubric.fault().text());
+  std::error_code ec;
+  if (fs::exists(options.directory, ec) && (!fs::is_directory(options.directory, ec) || !fs::is_empty(options.directory, ec)))
+    return bad_input(options.directory + ": is not empty, must be a new or an empty directory: nothing in it is written over");
   for (const std::string& warning : grader::warnings(*rubric, options.what != "kit")) std::fprintf(stderr, "rigor export: %s\n", warning.c_str());
   const auto written = options.what == "kit"      ? write_kit(options.directory, text, *rubric)
                        : options.what == "autolab" ? write_autolab(options.directory, text, *rubric)
                        : options.what == "gradescope"
-                           ? write_gradescope(options.directory, text)
+                           ? write_gradescope(options.directory, text, *rubric)
                            : Outcome<bool>(Fault{Fault::Kind::unknown_key, "", "'" + options.what + "' is none of kit, autolab, gradescope" +
                                                                                  did_you_mean(options.what, {"kit", "autolab", "gradescope"})});
   if (!written) return bad_input(written.fault().text());
@@ -227,7 +285,7 @@ void add_export(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "writes the students' kit, an Autolab lab or a Gradescope autograder");
   command->add_option("WHAT", options->what, "kit, autolab or gradescope")->required();
-  command->add_option("DIR", options->directory, "where it goes")->required();
+  command->add_option("DIR", options->directory, "where it goes: a new or an empty directory")->required();
   command->add_option("--rubric", options->rubric, "TOML file to grade with (docs/rubric.md); the kit gets it with another seed");
   command->footer("Example:  rigor export gradescope out/gradescope");
   command->callback([options, &exit_status] { exit_status = export_command(*options); });

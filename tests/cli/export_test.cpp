@@ -73,6 +73,8 @@ TEST_F(Export, KitGradesItselfForPracticeAndKeepsTheGradedSeed) {
       ASSERT_TRUE(text);
       EXPECT_EQ(text->find("seed = 77"), std::string::npos) << item.path();
     }
+  const std::string instructions = *read_file(kit / "README.md");
+  for (const char* said : {"x86-64", "WSL", "linux/amd64"}) EXPECT_NE(instructions.find(said), std::string::npos) << said;
   fs::copy(sample("wrong/torque-kept"), kit / "src", fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   const Ran ran = sh("cd / && RIGOR_CACHE=" + (dir / "cache").string() + " " + (kit / "practice").string() + " --json");
   EXPECT_EQ(ran.status, 0);
@@ -125,6 +127,10 @@ TEST_F(Export, AutolabLabEndsWithTheTwoLinesWhateverIsHandedIn) {
   const std::string zip = (job / "handin.zip").string();
   ASSERT_EQ(sh("cd " + sample("wrong/torque-kept").string() + " && python3 -c \"import shutil; shutil.make_archive('" + zip.substr(0, zip.size() - 4) + "', 'zip', '.')\"").status, 0);
   const json some = scores_of(*read_file(zip));
+  scores_of("no archive at all");
+  EXPECT_FALSE(fs::exists(job / "out" / "report.txt")) << "the report of the hand-in before";
+  const std::string instructions = *read_file(dir / "autolab" / "README.md");
+  for (const char* said : {"Import from tarball", "102 points", "seed", "rigor export autolab", "300 s"}) EXPECT_NE(instructions.find(said), std::string::npos) << said;
   EXPECT_EQ(some["Force"], 12) << "force.sum is 6 in this rubric";
   EXPECT_EQ(some["Dynamics"], 28) << "update.clears fails";
 }
@@ -156,7 +162,20 @@ TEST_F(Export, GradescopeAutograderRunsWhereOnlyACompilerIs) {
   double score = 0;
   for (const json& test : full["tests"]) score += test.value("score", 0.0);
   EXPECT_EQ(score, 100) << "102 of this rubric less the 2 of update.clears";
+  const std::string instructions = *read_file(dir / "gradescope" / "README.md");
+  for (const char* said : {"upload `autograder.zip`", "102 points", "seed", "rigor export gradescope", "10 minutes"}) EXPECT_NE(instructions.find(said), std::string::npos) << said;
   for (const char* script : {"setup.sh", "run_autograder"}) EXPECT_TRUE(fs::exists(root / "source" / script));
+}
+
+TEST_F(Export, WritesOverNothing) {
+  EXPECT_TRUE(write_file(dir / "work" / "src" / "Cuboid.cpp", "a student's\n"));
+  for (const char* what : {"kit", "autolab", "gradescope"}) {
+    const Ran ran = sh(std::string(RIGOR_BINARY_DIR) + "/rigor export " + what + " " + (dir / "work").string());
+    EXPECT_EQ(ran.status, 2) << what;
+    EXPECT_NE(ran.text.find("is not empty, must be a new or an empty directory"), std::string::npos) << ran.text;
+  }
+  EXPECT_EQ(*read_file(dir / "work" / "src" / "Cuboid.cpp"), "a student's\n");
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(dir / "work"), {}), 2);
 }
 
 TEST_F(Export, RefusesWhatItDoesNotKnow) {
