@@ -13,14 +13,9 @@ void append(std::string& out, double x) {
   out.append(text, end.ptr);
 }
 
-nlohmann::ordered_json number(double x) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
-}
-nlohmann::ordered_json vector(const Vec3<double>& v) { return {number(v[0]), number(v[1]), number(v[2])}; }
+nlohmann::ordered_json vector(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
 nlohmann::ordered_json momentum(const Ledger::Momentum& m) {
-  return {{"start", vector(m.start)}, {"end", vector(m.end)}, {"external", vector(m.external)}, {"worst_drift", number(m.worst_drift)}};
+  return {{"start", vector(m.start)}, {"end", vector(m.end)}, {"external", vector(m.external)}, {"worst_drift", m.worst_drift}};
 }
 
 }  // namespace
@@ -50,6 +45,7 @@ void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
   }
 }
 
+// What is not finite is written as null.
 std::string summary_json(const Scene& scene, const RunSummary& run, double wall_s) {
   const Ledger& l = run.ledger;
   const Ledger::Energy& e = l.energy;
@@ -71,13 +67,13 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
       {"finite", run.finite},
       {"interrupted", run.interrupted},
       {"energy",
-       {{"start", number(e.start)}, {"end", number(e.end)}, {"work", number(e.work)}, {"restitution_loss", number(e.restitution_loss)},
-        {"friction_loss", number(e.friction_loss)}, {"correction", number(e.correction)}, {"switched", number(e.switched)}, {"stepper", number(e.stepper)}, {"worst_drift", number(e.worst_drift)}}},
+       {{"start", e.start}, {"end", e.end}, {"work", e.work}, {"restitution_loss", e.restitution_loss},
+        {"friction_loss", e.friction_loss}, {"correction", e.correction}, {"switched", e.switched}, {"stepper", e.stepper}, {"worst_drift", e.worst_drift}}},
       {"linear_momentum", momentum(l.linear)},
       {"angular_momentum", momentum(l.angular)},
       {"impacts", {{"total", l.impacts}, {"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}}},
-      {"deepest_penetration", number(l.deepest_penetration)},
-      {"orthonormality_defect", number(l.worst_orthonormality)},
+      {"deepest_penetration", l.deepest_penetration},
+      {"orthonormality_defect", l.worst_orthonormality},
       {"skips", {{"pairs", l.skips.pairs}, {"pairs_of", l.skips.pairs_of}, {"planes", l.skips.planes}, {"planes_of", l.skips.planes_of},
                  {"loads", l.skips.loads}, {"loads_of", l.skips.loads_of}, {"rest", l.skips.rest}, {"rest_of", l.skips.rest_of}, {"monitors", l.skips.monitors}, {"monitors_of", l.skips.monitors_of}}},
       {"handed_over", handed_over},

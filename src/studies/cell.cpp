@@ -11,17 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double x) {  // JSON has no NaN
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
-}
-double number_from(const Json& j) {
-  if (j.is_number()) return j.get<double>();
-  const std::string text = j.get<std::string>();
-  if (text == "inf" || text == "-inf") return (text == "inf" ? 1 : -1) * std::numeric_limits<double>::infinity();
-  return std::numeric_limits<double>::quiet_NaN();
-}
 std::string quoted(const std::string& text) {  // for CSV
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -32,6 +21,7 @@ std::string quoted(const std::string& text) {  // for CSV
 }  // namespace
 
 std::string digits(double x) {
+  if (std::isnan(x)) return "nan";  // without a sign
   char text[40];
   return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
 }
@@ -59,6 +49,7 @@ std::string Cell::file() const {
   return name + tail + ".json";
 }
 
+void Row::put(const std::string& name, double value) { values.emplace_back(name, std::isfinite(value) ? value : NAN); }
 double Row::at(const std::string& name) const {
   for (const auto& [key, value] : values)
     if (key == name) return value;
@@ -67,7 +58,7 @@ double Row::at(const std::string& name) const {
 
 std::string row_json(const Row& row) {
   Json values = Json::object();
-  for (const auto& [name, value] : row.values) values[name] = number(value);
+  for (const auto& [name, value] : row.values) values[name] = value;  // NaN: null
   return Json{{"schema", "rigor.cell/1"}, {"cell", row.cell.text()}, {"values", values}, {"failed", row.failed}, {"note", row.note}}.dump(1) + "\n";
 }
 std::optional<Row> row_from_json(const std::string& text, const Cell& cell) {
@@ -77,8 +68,8 @@ std::optional<Row> row_from_json(const std::string& text, const Cell& cell) {
   if (word("schema") != "rigor.cell/1" || word("cell") != cell.text() || !json.contains("values")) return std::nullopt;
   Row row{cell, {}, word("failed"), word("note")};
   for (const auto& [name, value] : json["values"].items()) {
-    if (!value.is_number() && !value.is_string()) return std::nullopt;
-    row.put(name, number_from(value));
+    if (!value.is_number() && !value.is_null()) return std::nullopt;
+    row.put(name, value.is_null() ? NAN : value.get<double>());
   }
   return row;
 }

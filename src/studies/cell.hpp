@@ -31,11 +31,13 @@ struct Row {
   std::string failed;   ///< "" when it did not
   std::string note;     ///< settings of a peer
 
-  void put(const std::string& name, double value) { values.emplace_back(name, value); }
+  /// An infinity is no number either.
+  void put(const std::string& name, double value);
   /// NaN when there is none of that name.
   double at(const std::string& name) const;
 };
 
+/// null where there is no number.
 std::string row_json(const Row& row);
 /// Nothing when the text is not a row, or the row of another cell.
 std::optional<Row> row_from_json(const std::string& text, const Cell& cell);

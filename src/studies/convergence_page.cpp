@@ -38,7 +38,7 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
     Section s = problem_section(problem.rows[0]->cell);
     const double until = (*open_problem(problem.name, problem.rows[0]->cell.until))->until;
     report::Plot plot{"Attitude error against step: " + problem.name, "step h, s", "attitude error at the end, rad", true, true, {}};
-    Table fitted{"order, fitted over the asymptotic window (errors below 0.1, and above 300 times the smallest where that is rounding); points used, left out as too coarse, left out as at the floor",
+    Table fitted{"order, fitted over the asymptotic window (errors below 0.1, and above 300 times the smallest where that is rounding); points used, left out as too coarse, left out as at the floor; -: fewer than three points to fit",
                  {"method", "stated", "attitude", "L", "energy", "position", "used", "coarse", "floor"}, {}, 1};
     const std::vector<std::string> errors{"attitude, rad", "L", "energy", "position, m"};
     Table last{"errors at the finest step", {"method", "h, s"}, {}, 1};

@@ -43,23 +43,38 @@ StudyPage stability_page(const std::vector<Row>& rows) {
       continue;
     }
     Section s{problem.name + ": " + map->says, {}, {}, {}, {}};
-    s.text = {problem.name == "mass" ? "Unstable: a cube flies off or falls through the floor within 4 s. Inaccurate: an overlap above 1 cm."
-                                     : "10000 steps. Unstable: it leaves the numbers, or its energy leaves a tenth. Inaccurate: stable, but the attitude is off by more than 0.1 rad after one turn."};
+    const char* criterion = problem.name == "mass" ? "Unstable: a cube flies off or falls through the floor within 4 s. Inaccurate: an overlap above 1 cm."
+                                                   : "10000 steps. Unstable: it leaves the numbers, or its energy leaves a tenth. Inaccurate: stable, but the attitude is off by more than 0.1 rad after one turn.";
+    Table stable{"largest " + map->x + ", up to which every step of the map is stable, by " + map->y + "; -: not even the smallest. " + criterion, {"method"}, {}, 1};
+    for (const double y : map->ys) stable.header.push_back(digits(y));
+    Table accurate = stable;
+    accurate.caption = "the same, neither unstable nor inaccurate";
+    std::vector<Table> grids;
     for (const Group& method : by_method(problem.rows)) {
-      Table t{method.name, {map->x + " \\ " + map->y}, {}, 1};
-      for (const double y : map->ys) t.header.push_back(digits(y));
-      for (const double x : map->xs) {
-        std::vector<std::string> line{brief(x, "%.4g")};
-        for (const double y : map->ys) {
+      Table grid{method.name + ": + stable, o inaccurate, - unstable; " + map->y + " down, " + map->x + " across", {""}, {}, 1};
+      for (const double x : map->xs) grid.header.push_back(brief(x, "%.3g"));
+      for (Table* t : {&stable, &accurate}) t->rows.push_back({method.name});
+      for (const double y : map->ys) {
+        double stable_to = NAN, accurate_to = NAN;
+        bool still_stable = true, still_accurate = true;
+        grid.rows.push_back({digits(y)});
+        for (const double x : map->xs) {
           std::string mark = "";
           for (const Row* row : method.rows)
             if (row->cell.x == x && row->cell.y == y) mark = row->at("verdict") == 0 ? "+" : row->at("verdict") == 1 ? "o" : "-";
-          line.push_back(mark);
+          still_stable &= mark == "+" || mark == "o";
+          still_accurate &= mark == "+";
+          if (still_stable) stable_to = x;
+          if (still_accurate) accurate_to = x;
+          grid.rows.back().push_back(mark);
         }
-        t.rows.push_back(line);
+        stable.rows.back().push_back(brief(stable_to, "%.3g"));
+        accurate.rows.back().push_back(brief(accurate_to, "%.3g"));
       }
-      s.tables.push_back(t);
+      grids.push_back(grid);
     }
+    s.tables = {stable, accurate};
+    s.tables.insert(s.tables.end(), grids.begin(), grids.end());
     page.sections.push_back(s);
   }
   return page;

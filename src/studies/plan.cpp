@@ -4,6 +4,7 @@
 #include <cmath>
 #include <rigor/base/suggest.hpp>
 #include <rigor/engine/flow_methods.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
 #include <rigor/studies/flight.hpp>
@@ -17,11 +18,6 @@ using Kind = Fault::Kind;
 using Names = std::vector<std::string>;
 
 Names chosen(const Names& asked, const Names& standard) { return asked.empty() ? standard : asked; }
-Names method_names() {
-  Names names;
-  for (const Method& m : methods()) names.emplace_back(m.name);
-  return names;
-}
 std::optional<Fault> unknown(const Names& asked, const Names& known, const std::string& option, const std::string& what) {
   for (const std::string& name : asked)
     if (std::find(known.begin(), known.end(), name) == known.end())

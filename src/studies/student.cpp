@@ -20,14 +20,6 @@ BodyRecord record_of(const Cuboid<double>& body, const State<double>& s) {
   put(r.body_inverse_inertia, Mat3<double>(body.inverse_inertia().asDiagonal()));
   return r;
 }
-State<double> state_of(const BodyRecord& r) {
-  State<double> s;
-  s.p_WB = vec(r.position);
-  s.v_WB = vec(r.velocity);
-  s.R_WB = mat(r.rotation);
-  s.w_WB = vec(r.spin);
-  return s;
-}
 Request request_for(Function function, double h, long count) {
   Request q{};
   q.function = std::uint32_t(function);
@@ -86,7 +78,7 @@ Outcome<Student::Flown> Student::fly(const Problem& problem, long steps, int rep
     const auto reply = ask(worker, q, 20);
     if (!reply) return reply.fault();
     wall.push_back(wall_seconds() - start);
-    flown.end = state_of(reply->A);
+    flown.end = state(reply->A);
   }
   const Timing call = summary(wall, wall), none = summary(empty, empty);
   const double least = std::max(1e-9, call.wall_min - none.wall_min), median = std::max(1e-9, call.wall_median - none.wall_median);
@@ -116,7 +108,7 @@ Outcome<bool> Student::bounce(const Cuboid<double>& body, const State<double>& s
     const auto moved = ask(worker, move, 0);
     if (!moved) return moved.fault();
     A = moved->A;
-    if (!see(double(k + 1) * h, state_of(A))) break;
+    if (!see(double(k + 1) * h, state(A))) break;
   }
   return true;
 }

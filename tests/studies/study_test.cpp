@@ -248,6 +248,27 @@ TEST(StabilityMaps, HaveAllThreeVerdicts) {
   EXPECT_EQ(stability({"stability", "mass", "sheet", 0, 0, 0, 1. / 240, 1}).at("verdict"), 0);
 }
 
+// The largest step is the last before the first - (for "accurate": before the first o or -), whatever comes after it.
+TEST(StabilityMaps, SayUpToWhichStepAMethodHolds) {
+  const Map& map = maps()[0];
+  std::vector<Row> rows;
+  for (const double y : map.ys)
+    for (std::size_t k = 0; k < map.xs.size(); ++k) {
+      Row row{{"stability", map.name, "some", 10000, 0, 0, map.xs[k], y}, {}, "", ""};
+      const bool first = y == map.ys[0];  // + + o + o - + + + +; the other tilts: unstable at once
+      row.put("verdict", double(first ? (k == 2 || k == 4 ? Verdict::inaccurate : k == 5 ? Verdict::unstable : Verdict::stable) : k == 0 ? Verdict::unstable : Verdict::stable));
+      rows.push_back(row);
+    }
+  const StudyPage page = stability_page(rows);
+  const std::vector<Table>& tables = page.sections[0].tables;
+  ASSERT_EQ(tables.size(), 3u);
+  EXPECT_EQ(tables[0].rows[0], (std::vector<std::string>{"some", "0.1", "-", "-", "-", "-", "-"}));
+  EXPECT_EQ(tables[1].rows[0], (std::vector<std::string>{"some", "0.003", "-", "-", "-", "-", "-"}));
+  EXPECT_EQ(tables[2].rows[0], (std::vector<std::string>{"0.1", "+", "+", "o", "+", "o", "-", "+", "+", "+", "+"}));
+  const std::string text = page_text(page);
+  for (const char* part : {"+ stable, o inaccurate, - unstable", "energy leaves a tenth", "tilt, degrees", "|w| h, rad"}) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
 TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
   for (const char* kind : {"convergence", "work-precision", "drift", "stability", "contact"}) {
     StudyRequest r;
