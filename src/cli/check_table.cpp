@@ -10,6 +10,7 @@
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/check_table.hpp>
 #include <rigor/cli/texts.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/studies/table.hpp>
 
 namespace rigor::cli {
@@ -42,9 +43,13 @@ int write_tables(const std::filesystem::path& dir) {
       std::fputs("rigor check-table: interrupted, nothing is written\n", stderr);
       std::_Exit(128 + interrupted());
     }
+  std::vector<std::string> names;
   for (const auto& [name, csv] : made.get())
-    for (const auto& [file, text] : {std::pair{name + ".csv", csv}, std::pair{name + ".json", studies::table_json(name, csv)}})
+    for (const auto& [file, text] : {std::pair{name + ".csv", csv}, std::pair{name + ".json", studies::table_json(name, csv)}}) {
       if (const auto written = write_file(dir / file, text); !written) return bad_input(written.fault().text());
+      names.push_back(file);
+    }
+  say_wrote(dir, names);
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include <rigor/cli/class.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
 #include <thread>
@@ -81,20 +82,22 @@ int class_command(const Options& options) {
   const auto rows = grader::grade_class(*entries, rubric, run);
   const auto stale = grader::remove_stale_reports(out, rows);
   const auto changed = options.against.empty() ? std::vector<grader::Change>{} : grader::changes(before, rows);
+  std::vector<std::string> files{"class.html", "scores.csv", "matrix.csv", "*/report.html"};
   for (const auto& [name, text] : {std::pair{"scores.csv", grader::scores_csv(rows)}, std::pair{"matrix.csv", grader::matrix_csv(rows)},
                                    std::pair{"class.html", grader::class_html(rows, rubric, changed)}})
     if (const auto written = write_file(out / name, text); !written) return bad_input(written.fault().text());
   if (!options.against.empty()) {
     if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return bad_input(written.fault().text());
-    if (!options.quiet) std::printf("%zu changed since %s: %s\n", changed.size(), options.against.c_str(), (out / "changes.csv").string().c_str());
+    files.push_back("changes.csv");
+    if (!options.quiet) std::printf("%zu changed since %s\n", changed.size(), options.against.c_str());
   }
   if (!options.fill.empty()) {
     const auto filled = grader::fill_gradebook(options.fill, options.column, rows);
     if (!filled) return bad_input("--fill: " + filled.fault().text());
-    const std::filesystem::path name = out / ("filled-" + std::filesystem::path(options.fill).filename().string());
-    if (const auto written = write_file(name, filled->csv); !written) return bad_input(written.fault().text());
+    files.push_back("filled-" + std::filesystem::path(options.fill).filename().string());
+    if (const auto written = write_file(out / files.back(), filled->csv); !written) return bad_input(written.fault().text());
     for (const std::string& remark : filled->remarks) std::fprintf(stderr, "rigor class: --fill: %s\n", remark.c_str());
-    if (!options.quiet) std::printf("%d of %d rows filled in: %s\n", filled->filled, filled->rows, name.string().c_str());
+    if (!options.quiet) std::printf("%d of %d rows filled in\n", filled->filled, filled->rows);
   }
   if (!options.quiet)
     for (const std::string& student : stale) std::printf("an earlier report taken away, it no longer holds: %s\n", student.c_str());
@@ -104,7 +107,10 @@ int class_command(const Options& options) {
     reused += r.reused;
     if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", r.entry.student.c_str(), r.trouble.c_str());
   }
-  if (!options.quiet) std::printf("%d of %zu graded (%d unchanged since last time): %s\n", graded, rows.size(), reused, (out / "class.html").string().c_str());
+  if (!options.quiet) {
+    std::printf("%d of %zu graded (%d unchanged since last time)\n", graded, rows.size(), reused);
+    say_wrote(out, files);
+  }
   if (interrupted() != 0) {
     std::fprintf(stderr, "rigor class: interrupted; the same command goes on with those that are not graded\n");
     return 128 + interrupted();
@@ -127,7 +133,7 @@ void add_class(CLI::App& app, int& exit_status) {
   command->add_option("--fill", options->fill, "a gradebook (Canvas, Moodle, Autolab): written to --out as filled-NAME with the points filled in");
   command->add_option("--column", options->column, "with --fill: the gradebook's column for the points; \"Grade\" by default");
   command->add_flag("--fresh", options->fresh, "grade again what has not changed");
-  command->add_flag("--quiet", options->quiet, "print nothing but trouble");
+  command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
   command->footer("Example:  rigor class submissions --out graded");
   command->callback([options, &exit_status] { exit_status = class_command(*options); });
 }

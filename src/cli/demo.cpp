@@ -5,6 +5,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/demo.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/grader/judge.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
@@ -13,6 +14,7 @@
 #include <rigor/studies/flight.hpp>
 #include <rigor/studies/pages.hpp>
 #include <rigor/studies/plan.hpp>
+#include <rigor/view/replay.hpp>
 #include <set>
 
 namespace rigor::cli {
@@ -45,7 +47,7 @@ constexpr const char* students[][2] = {
     {"kit", "handed in the kit as it was"},
 };
 
-// The mistakes found, each once, in words that fit a line.
+// The mistakes found by name, each once.
 std::string findings(const grader::Report& report) {
   std::set<std::string> ids;
   for (const grader::CheckResult& r : report.results)
@@ -53,8 +55,7 @@ std::string findings(const grader::Report& report) {
       if (r.max_points > 0 && r.verdict != grader::Verdict::pass) ids.insert(d.id == "relation" ? d.text : d.id);
   std::string text;
   for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
-  if (!text.empty()) return text;
-  return report.score == report.max_score ? "" : report.score == 0 ? "not implemented" : "see the report";
+  return text;
 }
 
 Outcome<std::string> grade_class(const fs::path& out) {
@@ -62,7 +63,6 @@ Outcome<std::string> grade_class(const fs::path& out) {
   std::vector<std::vector<std::string>> rows;
   std::string links;
   for (const auto& [path, says] : students) {
-    const Stopwatch watch;
     const auto submission = grader::open_submission(fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions" / path);
     if (!submission) return submission.fault();
     auto graded = grader::grade(*submission, grader::Rubric{}, {}, {});
@@ -74,7 +74,8 @@ Outcome<std::string> grade_class(const fs::path& out) {
     if (const auto written = write_file(out / "class" / report.submission / "report.html", grader::report_html(report)); !written) return written.fault();
     if (const auto written = write_file(out / "class" / report.submission / "report.json", grader::report_json(report)); !written) return written.fault();
     const std::string found = findings(report);
-    std::printf("   %-26s %5.4g of %g%s%s\n", report.submission.c_str(), report.score, report.max_score, found.empty() ? "" : "   ", found.c_str());
+    const std::string words = found.empty() ? says : found;
+    std::printf("   %-22s %3.4g of %g  %s%s\n", report.submission.c_str(), report.score, report.max_score, words.size() > 41 ? "\n      " : " ", words.c_str());
     std::fflush(stdout);
     char score[32];
     std::snprintf(score, sizeof score, "%g", report.score);
@@ -89,29 +90,38 @@ Outcome<std::string> run_scene(const fs::path& out) {
   Scene scene = builtin_scene("assignment", 3);
   scene.every = 1.0 / 30;
   TrajectoryCsv csv(scene.bodies.size());
+  view::Recording recording(scene, scene.method);
+  const double shown = 4;  // s; then all are at rest
   report::Plot plot{"Heights of the ten cuboids", "time, s", "height of the centre, m", false, false, {}};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) plot.series.push_back({"cuboid " + std::to_string(i + 1), {}, {}, false});
   const Stopwatch watch;
   const RunSummary run = simulate(scene, [&](double t, const std::vector<State<double>>& states) {
     csv.add(t, states);
-    for (std::size_t i = 0; i < states.size(); ++i) plot.series[i].x.push_back(t), plot.series[i].y.push_back(states[i].p_WB[1]);
-  });
+    recording.add(t, states);
+    for (std::size_t i = 0; i < states.size() && t <= shown; ++i) plot.series[i].x.push_back(t), plot.series[i].y.push_back(states[i].p_WB[1]);
+  }, [&](const Impact& impact) { recording.impact(impact); });
   const double wall = watch.seconds();
   if (const auto written = write_file(out / "scene" / "trajectory.csv", csv.text()); !written) return written.fault();
   if (const auto written = write_file(out / "scene" / "summary.json", summary_json(scene, run, wall)); !written) return written.fault();
+  std::string play;
+  if (const auto replay = view::replay_page({recording}, "assignment", "ten cuboids in a room, 20 s; space plays")) {
+    if (const auto written = write_file(out / "scene" / "replay.html", *replay); !written) return written.fault();
+    play = " <a href=\"scene/replay.html\">Play it</a>;";
+  }
   const Ledger& l = run.ledger;
-  std::printf("   %ld steps in %.2f s; %ld impacts; energy %.4g -> %.4g J (restitution %.4g, friction %.4g lost)\n", run.steps, wall, l.impacts,
+  std::printf("   %ld steps in %.2f s; %ld impacts; energy %.4g -> %.4g J\n   (restitution lost %.4g J, friction %.4g J)\n", run.steps, wall, l.impacts,
               l.energy.start, l.energy.end, l.energy.restitution_loss, l.energy.friction_loss);
   char text[200];
   std::snprintf(text, sizeof text, "%ld steps, %ld impacts, %.2f s of wall time for 20 s.", run.steps, l.impacts, wall);
-  return "<h2>The assignment's scene</h2><p>" + std::string(text) + " <a href=\"scene/trajectory.csv\">trajectory.csv</a>, <a href=\"scene/summary.json\">summary.json</a></p>" +
-         report::figure(plot, "Ten cuboids fall into a room and come to rest.");
+  return "<h2>The assignment's scene</h2><p>" + std::string(text) + play + " <a href=\"scene/trajectory.csv\">trajectory.csv</a>, <a href=\"scene/summary.json\">summary.json</a></p>" +
+         report::figure(plot, "Ten cuboids fall into a room and come to rest: the first " + std::to_string(int(shown)) + " s.");
 }
 
 Outcome<std::string> study(const fs::path& out) {
-  std::printf("3. Convergence of the plain stepper, against references that share nothing with it\n");
+  std::printf("3. Convergence of three steppers against references that share no code with them\n");
   studies::StudyRequest request{"convergence", {"short-A", "forced"}, {"sheet", "euler-exponential", "rk4"}};
   request.coarsest = 25;
+  request.rungs = 7;
   std::vector<studies::Row> rows;
   const auto cells = studies::plan(request);
   for (const studies::Cell& cell : *cells)
@@ -134,7 +144,6 @@ Outcome<std::string> study(const fs::path& out) {
 }
 
 int demo_command(const fs::path& out) {
-  const Stopwatch watch;
   std::string body;
   for (auto part : {grade_class, run_scene, study}) {
     const auto html = part(out);
@@ -152,8 +161,8 @@ int demo_command(const fs::path& out) {
   page.body = body;
   page.footer = "rigor " RIGOR_VERSION;
   if (const auto written = write_file(out / "index.html", report::render(page)); !written) return failed(written.fault());
-  std::printf("Everything on one page: %s   (%.0f s)\n", (out / "index.html").string().c_str(), watch.seconds());
-  std::printf("Next: rigor grade DIR, rigor run SCENE.json, rigor study convergence, rigor explain impulse.normal\n");
+  say_wrote(out, {"index.html", "class", "scene", "study"});
+  std::printf("next: rigor grade DIR, rigor run SCENE.json, rigor study convergence,\n      rigor explain impulse.normal\n");
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/export.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/grader/package.hpp>
 #include <rigor/grader/rubric.hpp>
 #include <rigor/grader/texts.hpp>
@@ -274,8 +275,9 @@ int export_command(const Options& options) {
                            : Outcome<bool>(Fault{Fault::Kind::unknown_key, "", "'" + options.what + "' is none of kit, autolab, gradescope" +
                                                                                  did_you_mean(options.what, {"kit", "autolab", "gradescope"})});
   if (!written) return bad_input(written.fault().text());
-  const char* made = options.what == "kit" ? "" : options.what == "autolab" ? "/rigor.tar" : "/autograder.zip";
-  std::printf("%s%s\n", options.directory.c_str(), made);
+  if (options.what == "kit") say_wrote(options.directory, {"README.md", "CMakeLists.txt", "practice", "src", "include", "rigor"});
+  else if (options.what == "autolab") say_wrote(options.directory, {"rigor.tar", "rigor"});
+  else say_wrote(options.directory, {"autograder.zip"});
   return 0;
 }
 

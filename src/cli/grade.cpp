@@ -10,6 +10,7 @@
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/grade.hpp>
 #include <rigor/cli/in_range.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/grader/formats.hpp>
 #include <rigor/grader/judge.hpp>
 
@@ -53,15 +54,16 @@ const Format* find_format(const std::string& name) {
   return nullptr;
 }
 
-// Writes the asked formats below `out`; one directory for each submission where there are several.
-Outcome<bool> write_formats(const grader::Report& report, const Options& options, bool several) {
-  const std::filesystem::path dir = several ? std::filesystem::path(options.out) / report.submission : std::filesystem::path(options.out);
-  const std::vector<std::string> asked = options.formats.empty() ? std::vector<std::string>{"text", "json", "html"} : options.formats;
+// Writes the asked formats; their names, the page first.
+Outcome<std::vector<std::string>> write_formats(const grader::Report& report, const Options& options, const std::filesystem::path& dir) {
+  const std::vector<std::string> asked = options.formats.empty() ? std::vector<std::string>{"html", "text", "json"} : options.formats;
+  std::vector<std::string> names;
   for (const std::string& name : asked) {
     const Format& format = *find_format(name);
-    if (const auto written = write_file(dir / format.file, format.write(report)); !written) return written;
+    if (const auto written = write_file(dir / format.file, format.write(report)); !written) return written.fault();
+    names.push_back(format.file);
   }
-  return true;
+  return names;
 }
 
 // What a platform finds when the grader could not finish, or was killed: written first, replaced at the end.
@@ -134,7 +136,7 @@ int grade_command(const Options& options) {
   }
   if (chosen.empty() && practises) return bad_input("no check of this rubric is visible to students");
   if (options.single_case >= most_cases)
-    return bad_input("--case: is " + std::to_string(options.single_case) + ", must be in [0, " + std::to_string(most_cases - 1) + "]; --cases N asks for more");
+    return bad_input("--case is " + std::to_string(options.single_case) + ", must be in [0, " + std::to_string(most_cases - 1) + "]; --cases N asks for more");
   for (const std::string& format : options.formats)
     if (find_format(format) == nullptr) return bad_input("--format: '" + format + "' is none of text, json, html, junit, gradescope, autolab");
   const Format* printed = options.out.empty() && options.formats.size() == 1 ? find_format(options.formats.front()) : nullptr;
@@ -166,12 +168,20 @@ int grade_command(const Options& options) {
       continue;
     }
     ++graded;
-    if (!options.out.empty())
-      if (const auto written = write_formats(*report, options, options.paths.size() > 1); !written) return bad_input(written.fault().text());
+    const std::filesystem::path dir = options.paths.size() > 1 ? std::filesystem::path(options.out) / report->submission : std::filesystem::path(options.out);
+    std::vector<std::string> files;
+    if (!options.out.empty()) {
+      const auto written = write_formats(*report, options, dir);
+      if (!written) return bad_input(written.fault().text());
+      files = *written;
+    }
     if (printed != nullptr) std::fputs(printed->write(*report).c_str(), stdout);
     else if (options.json) std::fputs(((list ? graded == 1 ? "[\n" : ",\n" : "") + grader::report_json(*report)).c_str(), stdout);
     else if (options.quiet) std::printf("%s %g of %g\n", report->submission.c_str(), report->score, report->max_score);
-    else std::fputs(grader::report_text(*report, colour).c_str(), stdout);
+    else {
+      std::fputs(grader::report_text(*report, colour).c_str(), stdout);
+      if (!files.empty()) say_wrote(dir, files);
+    }
   }
   if (list) std::fputs(graded == 0 ? "[]\n" : "]\n", stdout);
   return autolab || graded == int(options.paths.size()) ? 0 : 2;  // Autolab takes any other status for a broken grader
@@ -195,7 +205,7 @@ void add_grade(CLI::App& app, int& exit_status, grader::Reader reader) {
   command->add_option("--jobs", options->jobs, "compilers at a time")->check(in_range(1, 256));
   command->add_flag("--sanitize", options->sanitize, "build with sanitizers; their first finding is shown as advice");
   command->add_flag("--json", options->json, "print report.json; a list of them for several submissions");
-  command->add_flag("--quiet", options->quiet, "print one line a submission");
+  command->add_flag("--quiet", options->quiet, "print one line a submission, and what went wrong");
   command->add_flag("--print-rubric", options->print_rubric, "print the default rubric and stop");
   command->footer("Example:  rigor grade submissions/ada --out reports/ada");
   command->callback([options, &exit_status] { exit_status = grade_command(*options); });

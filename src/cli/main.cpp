@@ -3,16 +3,42 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
+#include <regex>
 #include <rigor/base/float_environment.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/commands.hpp>
+#include <rigor/report/wrap.hpp>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
+
+// The help in 80 columns.
+class Filled : public CLI::Formatter {
+  std::string beside_names(const std::string& text) const {
+    std::string lines = rigor::report::filled(text, 80 - column_width_, 0);
+    while (!lines.empty() && lines.back() == '\n') lines.pop_back();
+    return lines;
+  }
+  std::string make_option_desc(const CLI::Option* option) const override { return beside_names(option->get_description()); }
+  std::string make_subcommand(const CLI::App* command) const override {
+    std::ostringstream out;
+    CLI::detail::format_help(out, command->get_name(), beside_names(command->get_description()), column_width_);
+    return out.str();
+  }
+  std::string make_description(const CLI::App* app) const override { return rigor::report::filled(app->get_description(), 80, 0); }
+  std::string make_footer(const CLI::App* app) const override {
+    std::istringstream lines(app->get_footer());
+    std::string text;
+    for (std::string line; std::getline(lines, line);) text += line.size() > 80 ? rigor::report::filled(line, 80, 0) : line + "\n";
+    return text;
+  }
+};
 
 // A wrong word after `rigor` is the commonest mistake: name the nearest command.
 int unknown_command(const CLI::App& app, const std::string& word) {
@@ -29,6 +55,10 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, const std::ve
   const CLI::App& command = parsed.empty() ? app : *parsed.front();
   std::string what = error.what();
   if (const std::size_t end = what.find('\n'); end != std::string::npos) what.resize(end);
+  static const std::regex out_of_range("^([^ :]+): is "), no_number("^Could not convert: ([^ ]+) = "), no_value("^([^ :]+): [0-9]+ required .* missing");
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) what = std::regex_replace(what, out_of_range, "$1 is ");
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) what = std::regex_replace(what, no_number, "$1 is ") + ", must be a number";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) what = std::regex_replace(what, no_value, "$1 needs a value");
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     std::vector<std::string> known;
     for (const CLI::Option* option : command.get_options()) known.push_back("--" + option->get_single_name());
@@ -59,6 +89,7 @@ int main(int argc, char** argv) {
     return 3;
   }
   CLI::App app{"rigor: rigid-body dynamics for cuboids, verified; grading, studies, simulation", "rigor"};
+  app.formatter(std::make_shared<Filled>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "rigor " RIGOR_VERSION);
   app.footer("Start with:  ./rigor demo      Every command: rigor COMMAND --help");

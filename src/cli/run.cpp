@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -8,8 +10,12 @@
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/run.hpp>
+#include <rigor/cli/wrote.hpp>
 #include <rigor/engine/located.hpp>
+#include <rigor/report/wrap.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/scene/trajectory.hpp>
+#include <rigor/studies/cell.hpp>
 #include <rigor/view/replay.hpp>
 
 namespace rigor::cli {
@@ -29,30 +35,51 @@ int bad_input(const Fault& fault) {
   return 2;
 }
 
+using studies::brief;
+
 // At most 80 columns, names of files and reasons apart.
 void print(const Scene& scene, const RunSummary& run, double wall) {
   const Ledger& l = run.ledger;
   const bool located = scene.method == "located";
   const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
-  std::printf("%s: %s, %s, method %s", scene.name.c_str(), count(scene.bodies.size(), "cuboid").c_str(), count(scene.planes.size(), "plane").c_str(), scene.method.c_str());
-  if (!located) std::printf(", dt %g s", scene.dt);
-  std::printf("\n  %-18s %ld to t = %g s in %.3f s\n", located ? "advances" : "steps", run.steps, run.t_end, wall);
-  std::printf("  energy             %.6g J -> %.6g J\n", l.energy.start, l.energy.end);
-  std::printf("    accounted for    work %.4g, restitution lost %.4g, friction lost %.4g,\n", l.energy.work, l.energy.restitution_loss, l.energy.friction_loss);
-  std::printf("                     correction %.4g, switched %.4g", l.energy.correction, l.energy.switched);
-  if (located) std::printf(", stepper %.4g", l.energy.stepper);
-  std::printf(" J\n");
-  std::printf("  unexplained, worst energy %.3g J, linear momentum %.3g N s,\n", l.energy.worst_drift, l.linear.worst_drift);
-  std::printf("                     angular momentum %.3g kg m^2/s\n", l.angular.worst_drift);
-  std::printf("  impacts            %ld: planes %ld, pairs %ld; %ld gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
+  fmt::print("{}: {}, {}, method {}", scene.name, count(scene.bodies.size(), "cuboid"), count(scene.planes.size(), "plane"), scene.method);
+  if (!located) fmt::print(", dt {} s", brief(scene.dt, "%g"));
+  fmt::print("\n  {:<18} {} to t = {} s in {:.3f} s\n", located ? "advances" : "steps", run.steps, brief(run.t_end, "%g"), wall);
+  const auto four = [](double x) { return brief(x, "%.4g"); };
+  const auto three = [](double x) { return brief(x, "%.3g"); };
+  fmt::print("  energy             {} J -> {} J\n", brief(l.energy.start, "%.6g"), brief(l.energy.end, "%.6g"));
+  fmt::print("    accounted for    work {}, restitution lost {}, friction lost {},\n", four(l.energy.work), four(l.energy.restitution_loss), four(l.energy.friction_loss));
+  fmt::print("                     correction {}, switched {}{} J\n", four(l.energy.correction), four(l.energy.switched), located ? ", stepper " + four(l.energy.stepper) : "");
+  fmt::print("  unexplained, worst energy {} J, linear momentum {} N s,\n", three(l.energy.worst_drift), three(l.linear.worst_drift));
+  fmt::print("                     angular momentum {} kg m^2/s\n", three(l.angular.worst_drift));
+  fmt::print("  impacts            {}: planes {}, pairs {}; {} gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
   for (const Accumulation& a : run.accumulations)
-    std::printf("  bounces ended      cuboid %zu at t = %.9g s, %.2g s left out\n", a.body, a.at, a.tail);
+    fmt::print("  bounces ended      cuboid {} at t = {} s, {} s left out\n", a.body, brief(a.at, "%.9g"), brief(a.tail, "%.2g"));
   for (const HandOver& h : run.handed_over)
-    std::printf("  handed over        cuboid %zu, t = %.6g to %.6g s:\n    %s\n", h.body, h.from, h.to, h.why.c_str());
+    fmt::print("  handed over        cuboid {}, t = {} to {} s:\n    {}\n", h.body, brief(h.from, "%.6g"), brief(h.to, "%.6g"), h.why);
   for (const PlanLine& line : plan({}, l.skips))
-    if (line.skipped && line.left_out > 0) std::printf("  skipped            %.1f %% of %ld %s: %s\n", 100 * double(line.left_out) / double(line.of), line.of, line.what.c_str(), line.why.c_str());
-  std::printf("  deepest overlap    %.3g m\n", l.deepest_penetration);
-  std::printf("  orthonormality     off by %.2g at worst\n", l.worst_orthonormality);
+    if (line.skipped && line.left_out > 0) fmt::print("  skipped            {:.1f} % of {} {}: {}\n", 100 * double(line.left_out) / double(line.of), line.of, line.what, line.why);
+  fmt::print("  deepest overlap    {} m\n", three(l.deepest_penetration));
+  fmt::print("  orthonormality     off by {} at worst\n", brief(l.worst_orthonormality, "%.2g"));
+}
+
+// Why a run did not come to its end, or "".
+std::string cut_short(const RunSummary& run) {
+  const std::string at = " at t = " + brief(run.t_end, "%g") + " s";
+  if (!run.stopped.empty()) return "stopped" + at + ": " + run.stopped;
+  if (!run.finite) return "a number stopped being finite" + at + "; the step is too long for this scene and method";
+  if (run.interrupted) return "interrupted" + at + "; what is shown and written ends there";
+  return "";
+}
+
+// What the methods make of one scene, line under line.
+void print_beside(const std::vector<std::pair<std::string, RunSummary>>& runs) {
+  fmt::print("by method: energy at the end; worst unexplained energy, linear and angular\nmomentum\n  {:<20}{:>14}{:>11}{:>11}{:>11}{:>10}\n", "", "J", "J", "N s", "kg m^2/s", "impacts");
+  for (const auto& [method, run] : runs) {
+    const Ledger& l = run.ledger;
+    fmt::print("  {:<20}{:>14}{:>11}{:>11}{:>11}{:>10}\n", method, brief(l.energy.end, "%.6g"), brief(l.energy.worst_drift), brief(l.linear.worst_drift), brief(l.angular.worst_drift), l.impacts);
+    if (const std::string why = cut_short(run); !why.empty()) fmt::print("{}", report::filled(why, 80, 4));
+  }
 }
 
 // What the scene needs, and what was left out, each with its reason.
@@ -99,9 +126,8 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
   }, skips);
 }
 
-// The scene by each method of --beside, only to be looked at.
+// The scene by each method of --beside, only to be compared with it.
 Outcome<std::vector<Scene>> beside(const Scene& scene, const Options& options) {
-  if (!options.beside.empty() && options.out.empty()) return Fault{Fault::Kind::missing, "--beside", "is shown in replay.html, which needs --out"};
   std::vector<Scene> scenes;
   for (const std::string& method : options.beside) {
     scenes.push_back(scene);
@@ -130,44 +156,47 @@ int run_command(const Options& options) {
   const auto skips = without(wanted, options.no_skip);
   if (!skips) return bad_input({skips.fault().kind, "--" + skips.fault().where, skips.fault().what});
   std::vector<view::Recording> recordings;
-  if (keep) recordings.emplace_back(scene, scene.method);
+  const auto record = [&](const Scene& one) { return keep ? &recordings.emplace_back(one, one.method) : nullptr; };
+  const auto unfit = [&](const Fault& fault) { return bad_input({fault.kind, options.scene + ": " + fault.where, fault.what}); };  // the method knows not all of it
   Progress progress(!options.quiet, " %");
   const auto start = std::chrono::steady_clock::now();
-  const auto done = simulate_recorded(scene, keep ? &recordings[0] : nullptr, [&](double t, const std::vector<State<double>>& states) {
+  const auto done = simulate_recorded(scene, record(scene), [&](double t, const std::vector<State<double>>& states) {
     if (scene.until > 0) progress(long(100 * t / scene.until), 100);
     if (keep) csv.add(t, states);
   }, *skips);
-  if (!done) return bad_input(done.fault());
+  if (!done) return unfit(done.fault());
   const RunSummary run = *done;
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::vector<std::pair<std::string, RunSummary>> by_method{{scene.method, run}};
+  for (const Scene& other : *others) {
+    const auto ran = simulate_recorded(other, record(other), [](double, const auto&) {});
+    if (!ran) return unfit(ran.fault());
+    by_method.emplace_back(other.method, *ran);
+  }
   const std::string summary = summary_json(scene, run, wall);
+  std::vector<std::string> written_names;
   if (keep) {
-    const std::filesystem::path dir = options.out;
-    if (const auto written = write_file(dir / "trajectory.csv", csv.text()); !written) return bad_input(written.fault());
-    if (const auto written = write_file(dir / "summary.json", summary); !written) return bad_input(written.fault());
-    for (const Scene& other : *others) {
-      view::Recording& recording = recordings.emplace_back(other, other.method);
-      if (const auto ran = simulate_recorded(other, &recording, [](double, const auto&) {}); !ran) return bad_input(ran.fault().inside("--beside"));
-    }
-    if (const auto page = view::replay_page(recordings, std::filesystem::path(scene.name).filename().string(), lead(scene, run)); !page)
+    std::vector<std::pair<std::string, std::string>> files{{"trajectory.csv", csv.text()}, {"summary.json", summary}};
+    if (auto page = view::replay_page(recordings, std::filesystem::path(scene.name).filename().string(), lead(scene, run)))
+      files.insert(files.begin(), {"replay.html", std::move(page).value()});
+    else
       std::fprintf(stderr, "rigor run: no replay.html: %s\n", page.fault().text().c_str());
-    else if (const auto written = write_file(dir / "replay.html", *page); !written)
-      return bad_input(written.fault());
+    for (const auto& [name, text] : files) {
+      if (const auto written = write_file(std::filesystem::path(options.out) / name, text); !written) return bad_input(written.fault());
+      written_names.push_back(name);
+    }
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
   else if (!options.quiet) print(scene, run, wall);
   if (options.explain) explain(scene, *skips, run);
-  if (!run.stopped.empty()) {
-    std::fprintf(stderr, "rigor run: stopped at t = %g s: %s\n", run.t_end, run.stopped.c_str());
-    return 1;
+  if (!options.json && !options.quiet) {
+    if (by_method.size() > 1) print_beside(by_method);
+    if (keep) say_wrote(options.out, written_names);
   }
-  if (!run.finite) {
-    std::fprintf(stderr, "rigor run: a number stopped being finite at t = %g s; the step is too long for this scene and method\n", run.t_end);
-    return 1;
-  }
-  if (!run.interrupted) return 0;
-  std::fprintf(stderr, "rigor run: interrupted at t = %g s; what is shown and written ends there\n", run.t_end);
-  return 128 + interrupted();
+  const std::string why = cut_short(run);
+  if (why.empty()) return 0;
+  std::fprintf(stderr, "rigor run: %s\n", why.c_str());
+  return run.stopped.empty() && run.finite ? 128 + interrupted() : 1;
 }
 
 }  // namespace
@@ -176,18 +205,18 @@ void add_run(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("run", "simulate a scene: trajectory, energy and momentum accounts");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
-  command->add_option("--method", options->method, "integrator in place of the scene's, or \"located\": exact flight, impacts at their time");
-  command->add_option("--dt", options->dt, "step, s");
-  command->add_option("--until", options->until, "end, s");
-  command->add_option("--every", options->every, "output interval, s; 0: each step");
+  command->add_option("--method", options->method, "in place of the scene's: a stepper, or \"located\": exact flight, impacts at their time");
+  command->add_option("--dt", options->dt, "step")->check(in_range(1e-30, 1e30, "s"));
+  command->add_option("--until", options->until, "end")->check(in_range(0.0, 1e30, "s"));
+  command->add_option("--every", options->every, "output interval; 0: each step")->check(in_range(0.0, 1e30, "s"));
   command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
-  command->add_option("--beside", options->beside, "more methods, shown in replay.html beside the scene's")->delimiter(',');
+  command->add_option("--beside", options->beside, "more methods, compared with the scene's: printed, and shown in replay.html")->delimiter(',');
   command->add_option("--no-skip", options->no_skip, "do what could be left out: pairs, planes, loads, rest, monitors or all; the same bits, slower")->delimiter(',');
   CLI::Option* explained = command->add_flag("--explain", options->explain, "print what the scene needs and what was left out, why and how often");
   command->add_flag("--json", options->json, "print summary.json")->excludes(explained);
-  command->add_flag("--quiet", options->quiet, "print nothing");
-  command->footer("Example:  rigor run assignment --seed 3 --out runs/three");
+  command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
+  command->footer("Methods: " + fmt::format("{}", fmt::join(scene_methods(), ", ")) + "\n\nExample:  rigor run assignment --seed 3 --out runs/three");
   command->callback([options, &exit_status] { exit_status = run_command(*options); });
 }
 

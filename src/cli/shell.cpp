@@ -5,8 +5,9 @@
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/shell.hpp>
 #include <rigor/cli/texts.hpp>
-#include <rigor/integrators/method.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/scene/scene.hpp>
+#include <rigor/studies/plan.hpp>
 #include <rigor/studies/problem.hpp>
 
 namespace rigor::cli {
@@ -26,13 +27,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 // What an option or argument can be, where that is a list: what the help says in words.
 Words values(const std::string& command, const std::string& option) {
-  Words steppers;
-  for (const Method& m : methods()) steppers.push_back(std::string(m.name));
   if (option == "SCENE") return builtin_scenes();
-  if (option == "--method" && command == "run") steppers.push_back("located");
-  if (option == "--method" || option == "--beside") return steppers;
+  if (option == "--method" || option == "--beside") return command == "run" ? scene_methods() : method_names();
   if (option == "--problem") return studies::problem_names();
-  if (command == "study" && option == "KIND") return {"convergence", "work-precision", "drift", "stability"};
+  if (command == "study" && option == "KIND") return studies::study_kinds();
+  if (command == "export" && option == "WHAT") return {"kit", "autolab", "gradescope"};
   if (command == "shell" && option == "KIND") return {"bash", "zsh", "man"};
   if (command == "grade" && option == "--format") return {"text", "json", "html", "junit", "gradescope", "autolab"};
   if (option == "--id" || (command == "explain" && option[0] != '-')) return formula_ids(texts());
@@ -53,6 +52,12 @@ std::vector<Entry> entries(const CLI::App& command) {
   for (Entry& entry : all)  // "-h,--help" is --help
     if (const std::size_t comma = entry.name.rfind(','); comma != std::string::npos) entry.name = entry.name.substr(comma + 1);
   return all;
+}
+// The footer without the lists before it: they stand beside their options.
+std::string example_of(const CLI::App& command) {
+  const std::string footer = command.get_footer();
+  const std::size_t at = footer.find("Example:");
+  return at == std::string::npos ? footer : footer.substr(at);
 }
 bool is_option(const Entry& entry) { return entry.name[0] == '-'; }
 std::vector<const CLI::App*> commands(const CLI::App& app) { return app.get_subcommands([](const CLI::App*) { return true; }); }
@@ -137,7 +142,7 @@ std::string man_page(const CLI::App& app) {
       page += ".TP\n" + std::string(is_option(entry) ? ".B " : ".I ") + roff(entry.name) + "\n" + roff(entry.description) + "\n";
       if (const Words of = values(command->get_name(), entry.name); !of.empty() && of.size() < 30 && entry.description.find(of[0]) == std::string::npos) page += ".br\n" + roff(joined(of, ", ")) + "\n";
     }
-    page += ".PP\n" + roff(replaced(command->get_footer(), "\n", " ")) + "\n";
+    page += ".PP\n" + roff(example_of(*command)) + "\n";
   }
   return page + ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\na check of rigor itself did not hold, or a run stopped early\n.TP\n2\nbad input; one line says what and what to do\n"
                 ".TP\n3\nthe machine or rigor failed\n.TP\n128 + N\nstopped by signal N\n";

@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,8 @@
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/study.hpp>
+#include <rigor/cli/wrote.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
 #include <rigor/studies/flight.hpp>
@@ -40,16 +44,21 @@ std::string study_json(const std::vector<studies::Row>& rows, const std::string&
   return json.dump(1) + "\n";
 }
 
-Outcome<bool> write_all(const fs::path& dir, const std::vector<studies::Row>& rows, const studies::StudyPage& page) {
-  std::vector<std::pair<std::string, std::string>> files{{"study.csv", studies::rows_csv(rows)},
+// The names written, the page first.
+Outcome<std::vector<std::string>> write_all(const fs::path& dir, const std::vector<studies::Row>& rows, const studies::StudyPage& page) {
+  std::vector<std::pair<std::string, std::string>> files{{"study.html", studies::page_html(page)},
+                                                         {"study.csv", studies::rows_csv(rows)},
                                                          {"study.json", study_json(rows, page.command)},
-                                                         {"study.html", studies::page_html(page)},
                                                          {"README.md", studies::page_markdown(page)}};
   int k = 0;
   for (const std::string& figure : studies::page_figures(page)) files.emplace_back("figure-" + std::to_string(++k) + ".svg", figure);
-  for (const auto& [name, text] : files)
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) {
     if (const auto written = write_file(dir / name, text); !written) return written.fault();
-  return true;
+    if (!name.starts_with("figure")) names.push_back(name);
+  }
+  if (k > 0) names.push_back(k == 1 ? "figure-1.svg" : fmt::format("figure-1.svg to figure-{}.svg", k));
+  return names;
 }
 
 // The peers whose programs are there; the others are told.
@@ -102,10 +111,18 @@ int study_command(const Options& options) {
   if (!rows) return bad_input(rows.fault().text());
   if (interrupted() != 0) std::fprintf(stderr, "rigor study: interrupted with %zu of %zu cells finished%s\n", rows->size(), cells->size(), options.out.empty() ? "" : "; go on with --resume");
   const studies::StudyPage page = studies::study_page(request.kind, *rows, options.command);
-  if (!options.out.empty())
-    if (const auto written = write_all(options.out, *rows, page); !written) return bad_input("--out: " + written.fault().text());
+  std::vector<std::string> files;
+  if (!options.out.empty()) {
+    const auto written = write_all(options.out, *rows, page);
+    if (!written) return bad_input("--out: " + written.fault().text());
+    files = *written;
+    files.push_back("cells");
+  }
   if (options.json) std::fputs(study_json(*rows, page.command).c_str(), stdout);
-  else if (!options.quiet) std::fputs(studies::page_text(page).c_str(), stdout);
+  else if (!options.quiet) {
+    std::fputs(studies::page_text(page).c_str(), stdout);
+    if (!files.empty()) say_wrote(options.out, files);
+  }
   return interrupted() != 0 ? 128 + interrupted() : 0;
 }
 
@@ -133,14 +150,14 @@ void add_study(CLI::App& app, int& exit_status) {
   command->add_option("KIND", r.kind, "convergence, work-precision, drift, stability or contact")->required();
   command->add_option("--problem", r.problems, "by name (docs/studies.md), or a scene file")->delimiter(',');
   command->add_option("--method", r.methods, "integrators, exact, cvode-adams, ...; contact: located too; all by default")->delimiter(',');
-  command->add_option("--until", r.until, "end of the problems, s");
+  command->add_option("--until", r.until, "end of the problems")->check(in_range(1e-30, 1e4, "s"));
   command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(in_range(1L, 1000000L));
   command->add_option("--rungs", r.rungs, "halvings of the step")->check(in_range(1, 24));
-  command->add_option("--h", r.h, "these steps instead of a ladder, s")->delimiter(',');
-  command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers")->delimiter(',');
+  command->add_option("--h", r.h, "these steps instead of a ladder")->delimiter(',')->check(in_range(1e-30, 1e30, "s"));
+  command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers; 1e-15 is rounding")->delimiter(',')->check(in_range(1e-15, 0.1));
   command->add_option("--steps", r.steps, "of drift")->check(in_range(1L, 1000000000L))->capture_default_str();
-  command->add_option("--step", r.step, "of drift, s")->capture_default_str();
-  command->add_option("--sums", options->sums, "of drift: plain, carried; both by default")->delimiter(',')->check(CLI::IsMember({"plain", "carried"}));
+  command->add_option("--step", r.step, "of drift")->check(in_range(1e-30, 1e30, "s"))->capture_default_str();
+  command->add_option("--sums", options->sums, "of drift: plain, carried; both by default")->delimiter(',')->check(one_of({"plain", "carried"}));
   command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive");
   command->add_flag("--peers", options->all_peers, "other engines too: those whose programs are built");
   command->add_option("--peer", r.peers, "one of them by name: bullet, ode, mujoco, simbody, dart")->delimiter(',');
@@ -148,8 +165,8 @@ void add_study(CLI::App& app, int& exit_status) {
   command->add_option("--out", options->out, "directory for study.csv, study.json, study.html, README.md with its figures, and a file for each cell");
   command->add_flag("--resume", options->resume, "go on: take the cells whose files are there");
   command->add_flag("--json", options->json, "print study.json");
-  command->add_flag("--quiet", options->quiet, "print nothing");
-  command->footer("Example:  rigor study convergence --problem short-A --method sheet,rk4 --out studies/first");
+  command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
+  command->footer(fmt::format("Methods: {}\n\nProblems: {}\n\nExample:  rigor study convergence --problem short-A --method rk4 --out first", fmt::join(method_names(), ", "), fmt::join(studies::problem_names(), ", ")));
   command->callback([options, command, &exit_status] {
     options->command = typed(*command);
     exit_status = study_command(*options);

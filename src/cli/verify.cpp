@@ -124,8 +124,8 @@ void add_verify(CLI::App& app, int& exit_status) {
       ->check(in_range(1L, 100000000L))
       ->capture_default_str();
   command->add_option("--time", options->seconds, "go on with new seeds for so many seconds")
-      ->check(in_range(0.0, 1e7));
-  command->add_option("--seed", options->seed, "same seed, same numbers")->capture_default_str();
+      ->check(in_range(0.0, 1e7, "s"));
+  command->add_option("--seed", options->seed, "same seed, same numbers")->check(in_range(std::uint64_t(0), std::uint64_t(1) << 53))->capture_default_str();
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor verify --id impulse.normal --cases 100000");
   command->callback([options, &exit_status] { exit_status = verify_command(*options); });

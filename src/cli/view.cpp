@@ -6,6 +6,7 @@
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/view.hpp>
 #include <rigor/live/server.hpp>
+#include <rigor/scene/method_names.hpp>
 #include <rigor/view/page.hpp>
 
 namespace rigor::cli {
@@ -44,7 +45,7 @@ int view_command(const Options& options) {
   };
   auto server = live::Server::open(std::move(live).value(), options.port, page_for);
   if (!server) return bad_input(server.fault());
-  std::printf("%s   space starts and stops, r vacuum, g gravity, n a new seed; Ctrl-C ends\n", (*server)->address().c_str());
+  std::printf("%s\n  space starts and stops, r vacuum, g gravity, n a new seed; Ctrl-C ends\n", (*server)->address().c_str());
   std::fflush(stdout);
   (*server)->run([] { return interrupted() != 0; });
   return 0;
@@ -56,10 +57,10 @@ void add_view(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("view", "a scene live in a browser: keys, sliders, a hand that pulls");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
-  command->add_option("--port", options->port, "of 127.0.0.1; any free one by default");
-  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(1.0, 0x1p53));
+  command->add_option("--port", options->port, "of 127.0.0.1; any free one by default")->check(in_range(0, 65535));
+  command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--method", options->method, "integrator in place of the scene's");
-  command->footer("Example:  rigor view assignment");
+  command->footer("Methods: " + fmt::format("{}", fmt::join(method_names(), ", ")) + "\n\nExample:  rigor view assignment");
   command->callback([options, &exit_status] { exit_status = view_command(*options); });
 }
 

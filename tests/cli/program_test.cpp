@@ -33,6 +33,10 @@ Ran rigor_says(const std::string& arguments, const std::string& before = "") {
   return ran;
 }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+void expect_eighty_columns(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), 80u) << line;
+}
 
 class Program : public ::testing::Test {
  protected:
@@ -56,6 +60,12 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
     const Ran help = rigor_says(std::string(command) + " --help");
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_TRUE(contains(help.text, std::string("Example:  rigor ") + command)) << help.text;
+    expect_eighty_columns(help.text);
+  }
+  expect_eighty_columns(top.text);
+  for (const char* command : {"run", "view", "study"}) {
+    const std::string help = rigor_says(std::string(command) + " --help").text;
+    for (const char* method : {"sheet", "rk4", "split2-kahan-li8"}) EXPECT_TRUE(contains(help, method)) << command << " " << method;
   }
 }
 
@@ -63,8 +73,7 @@ TEST_F(Program, FitsEightyColumnsWhenItRunsAScene) {
   for (const char* scene : {"assignment", "drop", "tumble", "slide", "spin-box", "drop --method located", "assignment --until 2 --method located"}) {
     const Ran ran = rigor_says(std::string("run ") + scene);
     EXPECT_TRUE(contains(ran.text, "unexplained, worst")) << ran.text;
-    std::istringstream lines(ran.text);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+    expect_eighty_columns(ran.text);
   }
 }
 
@@ -81,29 +90,35 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"exlain", "did you mean 'explain'?"},
       {"explain impulse.norml", "did you mean 'impulse.normal'?"},
       {"verify --id inertia.cubiod", "did you mean 'inertia.cuboid'?"},
-      {"verify --cases 0", "--cases: is 0, must be in [1, 100000000]"},
-      {"verify --time nan", "--time: is nan, must be in [0, 1e+07]"},
-      {"verify --cases 7x", "--cases: is 7x, must be in"},
+      {"verify --cases 0", "--cases is 0, must be in [1, 100000000]"},
+      {"verify --time nan", "--time is nan, must be in [0, 1e7] s"},
+      {"verify --cases 7x", "--cases is 7x, must be in"},
       {"run assignmnt", "did you mean 'assignment'?"},
       {"run", "SCENE is required"},
       {"run drop --method shet", "did you mean 'sheet'?"},
       {"run drop --dt 0", "--dt is 0, must be in [1e-30, 1e30] s"},
-      {"run drop --dt nan", "--dt"},
+      {"run drop --dt nan", "--dt is nan, must be in"},
+      {"run drop --until", "--until needs a value"},
+      {"run drop --dt abc", "--dt is abc, must be in [1e-30, 1e30] s"},
+      {"run drop --seed x", "--seed is x, must be in [1, 9007199254740992]"},
+      {"run drop --beside nope", "known: sheet, "},
+      {"view drop --port 99999", "--port is 99999, must be in [0, 65535]"},
+      {"study drift --sums both", "--sums is both, must be one of plain, carried"},
       {"run drop --until -1", "--until is -1, must be in [0, 1e30] s"},
       {"study convergnce", "did you mean 'convergence'?"},
       {"study convergence --problem case-D", "did you mean 'case-A'?"},
       {"study convergence --method rk5", "did you mean 'rk4'?"},
-      {"study convergence --until nan", "--until is nan, must be > 0"},
+      {"study convergence --until nan", "--until is nan, must be in [1e-30, 10000] s"},
       {"study convergence --problem case-A --h 0.3", "does not divide T = 10 s of case-A into whole steps; 10/33 does"},
-      {"study work-precision --tolerance 1e-16", "below rounding"},
+      {"study work-precision --tolerance 1e-16", "--tolerance is 1e-16, must be in [1e-15, 0.1]"},
       {"study convergence --peer jolt", "is none of the peers"},
       {"study convergence --submission /nowhere", "--submission: /nowhere"},
       {"study convergence --resume", "needs --out"},
-      {"study drift --step -1", "--step is -1, must be > 0 s"},
+      {"study drift --step -1", "--step is -1, must be in [1e-30, 1e30] s"},
       {"grade", "a submission directory is missing"},
       {"grade /nowhere", "/nowhere"},
       {"grade /nowhere --check moi.bodi", "did you mean 'moi.body'?"},
-      {"grade /nowhere --check moi.body --case 200", "--case: is 200, must be in [0, 199]"},
+      {"grade /nowhere --check moi.body --case 200", "--case is 200, must be in [0, 199]"},
       {"grade /nowhere --rubric /nowhere.toml", "/nowhere.toml does not exist"},
       {"grade /nowhere --format junit,html", "--format: 2 formats need a directory"},
       {"grade /nowhere /nowhere --format junit", "--format: of several submissions needs a directory"},
@@ -170,6 +185,61 @@ TEST_F(Program, WritesWholeFilesAndTheSameOnesTwice) {
   for (const char* key : {"energy", "linear_momentum", "angular_momentum", "impacts", "skips", "handed_over", "wall_s"}) EXPECT_TRUE(summary.contains(key)) << key;
 }
 
+// The lines of --beside are those of the methods run alone.
+TEST_F(Program, ComparesMethodsLineUnderLine) {
+  const Ran ran = rigor_says("run spin-box --until 2 --beside rk4,located");
+  EXPECT_EQ(ran.status, 0) << ran.text;
+  expect_eighty_columns(ran.text);
+  for (const std::string method : {"sheet", "rk4", "located"}) {
+    const auto alone = nlohmann::json::parse(rigor_says("run spin-box --until 2 --json --method " + method).text);
+    std::istringstream lines(ran.text.substr(ran.text.find("by method:")));
+    std::string line, name;
+    double energy = 0, drift = 0;
+    while (name != method && std::getline(lines, line)) std::istringstream(line) >> name >> energy >> drift;
+    EXPECT_EQ(name, method) << ran.text;
+    EXPECT_NEAR(energy, double(alone["energy"]["end"]), 1e-5 * energy) << line;
+    EXPECT_NEAR(drift, double(alone["energy"]["worst_drift"]), 0.06 * drift) << line;
+  }
+}
+
+TEST_F(Program, NamesTheFileAMethodCannotRun) {
+  const std::string scene = file("pushed.json", R"({"cuboids": [{"size": [1, 1, 1], "mass": 1, "position": [0, 0, 0]}], "forces": [{"body": 0, "force": [1, 0, 0]}], "until": 1})");
+  for (const char* option : {"--method", "--beside"}) {
+    const Ran ran = rigor_says("run " + scene + " " + option + " located --out " + (dir / "out").string());
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(ran.text, "rigor run: " + scene + ": forces are not known to method 'located' (gravity is); use a stepper\n");
+    EXPECT_FALSE(fs::exists(dir / "out"));
+  }
+}
+
+TEST_F(Program, SaysWhatItWroteAndWhere) {
+  const auto last_line = [](const std::string& text) { return text.substr(text.rfind('\n', text.size() - 2) + 1); };
+  const auto exist = [](const fs::path& place, const std::string& line) {
+    std::istringstream words(line.substr(line.find("beside it ") + 10));
+    for (std::string name; words >> name;) EXPECT_TRUE(fs::exists(place / name.substr(0, name.find(',')))) << name;
+  };
+  const std::string a = (dir / "a").string();
+  const std::string run = last_line(rigor_says("run tumble --until 0.1 --out " + a).text);
+  EXPECT_TRUE(run.starts_with("wrote " + a + "/") || run.starts_with("  beside it")) << run;
+  EXPECT_TRUE(contains(run, "beside it trajectory.csv, summary.json") || contains(run, "trajectory.csv; beside it summary.json")) << run;
+  exist(a, run);
+  EXPECT_FALSE(contains(rigor_says("run tumble --until 0.1 --json --out " + a).text, "wrote"));
+  const std::string b = (dir / "b").string(), study = rigor_says("study convergence --problem short-A --method sheet --rungs 3 --out " + b).text;
+  EXPECT_TRUE(contains(study, "wrote " + b + "/study.html")) << study;
+  exist(b, study.substr(study.rfind("wrote ")));
+}
+
+// What is not finite is null in JSON and "-" on the terminal.
+TEST_F(Program, HasNoNumberWhereThereIsNone) {
+  const std::string scene = file("fast.json", R"({"cuboids": [{"size": [1, 2, 3], "mass": 1, "position": [0, 0, 0], "velocity": [1e30, 0, 0], "spin": [1e30, 1e30, 1]}], "method": "explicit-euler", "dt": 1, "until": 100})");
+  const Ran ran = rigor_says("run " + scene + " --out " + (dir / "out").string());
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_FALSE(contains(ran.text, "nan")) << ran.text;
+  const auto summary = nlohmann::json::parse(*read_file(dir / "out" / "summary.json"));
+  EXPECT_EQ(summary["finite"], false);
+  EXPECT_TRUE(summary["energy"]["end"].is_null()) << summary["energy"];
+}
+
 TEST_F(Program, SaysWhenItCannotWrite) {
   const std::string blocked = file("blocked", "a file where a directory is wanted");
   const Ran ran = rigor_says("run tumble --until 0.1 --out " + blocked);
@@ -210,7 +280,6 @@ TEST_F(Program, LooksAtEveryFlagBeforeItWritesAnything) {
   EXPECT_EQ(ran.status, 2);
   EXPECT_TRUE(contains(ran.text, "--beside is 'rk5', which is none of the methods")) << ran.text;
   EXPECT_FALSE(fs::exists(dir / "out"));
-  EXPECT_TRUE(contains(rigor_says("run drop --beside rk4").text, "--beside is shown in replay.html, which needs --out"));
   EXPECT_EQ(rigor_says("run drop --seed -1").status, 2);
 }
 

@@ -45,7 +45,8 @@ TEST_F(Shell, BashOffersCommandsOptionsAndValues) {
   EXPECT_EQ(offered("run --method loc"), "located ");
   EXPECT_EQ(offered("view --method loc"), " ") << "the live scene has no located mode";
   EXPECT_EQ(offered("run as"), "assignment ");
-  EXPECT_EQ(offered("study \"\""), "convergence drift stability work-precision ");
+  EXPECT_EQ(offered("study \"\""), "contact convergence drift stability work-precision ");
+  EXPECT_EQ(offered("export \"\""), "autolab gradescope kit ");
   EXPECT_EQ(offered("study drift --problem short"), "short-A ");
   EXPECT_EQ(offered("explain force.tor"), "force.torque ");
   EXPECT_EQ(offered("run --out x"), " ") << "files, which bash offers itself";
