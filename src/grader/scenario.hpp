@@ -89,19 +89,11 @@ inline Box draw_box(Random& random, bool turned) {
   return b;
 }
 
-/// The record that crosses to the worker: state as drawn, tensors consistent with size and mass.
+/// State and loads as drawn, tensors consistent with size and mass.
 inline BodyRecord record(const Box& b) {
-  BodyRecord r{};
-  put(r.size, b.size);
-  r.mass = b.mass;
-  put(r.position, b.position);
-  put(r.rotation, b.R_WB());
-  put(r.velocity, b.velocity);
-  put(r.spin, b.spin);
+  BodyRecord r = record(b.size, b.mass, {b.position, b.R_WB(), b.velocity, b.spin}, b.I_B(), b.inverse_I_B());
   put(r.net_force, b.force);
   put(r.net_torque, b.torque);
-  put(r.body_inertia, Mat3<double>(b.I_B().asDiagonal()));
-  put(r.body_inverse_inertia, Mat3<double>(b.inverse_I_B().asDiagonal()));
   return r;
 }
 

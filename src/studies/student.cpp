@@ -8,18 +8,6 @@ namespace {
 using namespace grader;
 using V = Vec3<double>;
 
-BodyRecord record_of(const Cuboid<double>& body, const State<double>& s) {
-  BodyRecord r{};
-  put(r.size, body.size());
-  r.mass = body.mass();
-  put(r.position, s.p_WB);
-  put(r.rotation, s.R_WB);
-  put(r.velocity, s.v_WB);
-  put(r.spin, s.w_WB);
-  put(r.body_inertia, Mat3<double>(body.inertia().asDiagonal()));
-  put(r.body_inverse_inertia, Mat3<double>(body.inverse_inertia().asDiagonal()));
-  return r;
-}
 Request request_for(Function function, double h, long count) {
   Request q{};
   q.function = std::uint32_t(function);
@@ -64,7 +52,7 @@ Outcome<Student::Flown> Student::fly(const Problem& problem, long steps, int rep
   Worker worker(executable_, constants, limits);
   Request q = request_for(Function::update, h, steps);
   q.flags = hold_forces;
-  q.A = record_of(problem.body, problem.start);
+  q.A = record(problem.body.size(), problem.body.mass(), problem.start, problem.body.inertia(), problem.body.inverse_inertia());
   put(q.A.net_force, problem.load_at(0, problem.start).f_W);
   const Request nothing = request_for(Function::constants, h, 1);
   if (const auto warm = ask(worker, q, 20); !warm) return warm.fault();
@@ -98,7 +86,7 @@ Outcome<bool> Student::bounce(const Cuboid<double>& body, const State<double>& s
   Request hit = request_for(Function::plane_response, h, 1), move = request_for(Function::update, h, 1);
   put(hit.plane_point, plane.point());
   put(hit.plane_normal, plane.normal());
-  BodyRecord A = record_of(body, start);
+  BodyRecord A = record(body.size(), body.mass(), start, body.inertia(), body.inverse_inertia());
   for (long k = 0; k < steps; ++k) {
     hit.A = A;
     put(hit.A.net_force, V(body.mass() * gravity));
