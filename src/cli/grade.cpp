@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <rigor/base/file.hpp>
@@ -152,7 +153,8 @@ int grade_command(const Options& options) {
   }
   int graded = 0;
   const bool list = options.json && printed == nullptr && options.paths.size() > 1;
-  const bool colour = isatty(STDOUT_FILENO) != 0;
+  const char* plain = std::getenv("NO_COLOR");  // any value but none: no colour (no-color.org)
+  const bool colour = isatty(STDOUT_FILENO) != 0 && (plain == nullptr || *plain == '\0');
   for (const std::string& path : options.paths) {
     const bool for_a_platform = !options.out.empty() && options.paths.size() == 1;
     if (for_a_platform)

@@ -283,6 +283,12 @@ TEST_F(Program, LooksAtEveryFlagBeforeItWritesAnything) {
   EXPECT_EQ(rigor_says("run drop --seed -1").status, 2);
 }
 
+TEST_F(Program, ColoursATerminalUnlessAskedNotTo) {
+  const std::string grade = "grade " RIGOR_SOURCE_DIR "/tests/submissions/kit --check force.torque --cases 2' /dev/null";
+  EXPECT_TRUE(contains(rigor_says(grade, "NO_COLOR= script -qec '").text, "\x1b["));
+  EXPECT_FALSE(contains(rigor_says(grade, "NO_COLOR=1 script -qec '").text, "\x1b["));
+}
+
 TEST_F(Program, PrintsJsonThatParses) {
   for (const char* arguments : {"explain --json", "explain impulse.normal --json", "verify --id impulse.normal --cases 50 --json", "run drop --until 0.1 --json",
                                 "study convergence --problem short-A --method sheet --rungs 3 --json", "audit --seeds 1 --cases 2 --json"})
