@@ -120,7 +120,7 @@ then upload the new package in place of the old one, and have what was handed in
 
 ## Time
 
-Right code takes some ten seconds, the compiler among them. Slow code is stopped by the rubric's limits (`[limits]`): what its slow calls may take is 40 times
+Right code takes some ten seconds, the compiler among them. Slow code is stopped by the rubric's limits (`[limits]`): what the calls of one function may take is 40 times
 `call_seconds`, 20 s unless you change it.
 )file";
 constexpr const char* gradescope_readme = R"file(# The autograder for Gradescope
@@ -143,10 +143,8 @@ The problems are the parts of the rubric, POINTS points in all. `autograde_timeo
 )file";
 
 std::string readme(std::string text, const char* what, const grader::Rubric& rubric) {
-  double points = 0;
-  for (const grader::Check& check : grader::checks()) points += rubric.points_of(check);
   char sum[32];
-  std::snprintf(sum, sizeof sum, "%.10g", points);
+  std::snprintf(sum, sizeof sum, "%.10g", rubric.total_points());
   text = std::regex_replace(text, std::regex("POINTS"), sum);
   return text + std::regex_replace(std::string(about_package), std::regex("WHAT"), what);
 }
