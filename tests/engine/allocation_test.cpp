@@ -1,35 +1,12 @@
 // What is called in a loop allocates nothing.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <rigor/engine/batch.hpp>
 #include <rigor/engine/flight_batch.hpp>
 #include <rigor/engine/flow_methods.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/linalg/rotation.hpp>
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-// Counts what the whole program allocates; not inlined, or g++ sees a mismatch of new and free.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = std::size_t(alignment);
-  if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#include <tests/scene/allocations.hpp>
 
 namespace rigor {
 namespace {

@@ -1,24 +1,9 @@
 // Counts what the program allocates.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scene/world.hpp>
-
-namespace {
-std::atomic<long> allocations{0};
-}  // namespace
-
-// Not inlined, or g++ sees a mismatch of new and free.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include <tests/scene/allocations.hpp>
 
 namespace rigor {
 namespace {
