@@ -40,7 +40,7 @@ Vec4<double> implicit_midpoint(const Cuboid<double>& body, const V& L_B, double 
 Vec4<double> buss_augmented(const Cuboid<double>& body, const V& L_B, double h, long steps) {
   return turn_by(L_B, steps, [&](const V& L) {
     const V w = spin(body, L), w1 = spin(body, V(cross<double>(L, w)));
-    return exp_quaternion(V(h * w + h * h / 2 * w1 - h * h * h / 12 * cross<double>(w1, w)));
+    return exp_quaternion(V(h * w + h * h / 2 * w1 + h * h * h / 12 * cross<double>(w1, w)));
   });
 }
 

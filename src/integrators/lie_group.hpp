@@ -9,7 +9,7 @@ namespace rigor {
 /// symmetric; keeps the energy to rounding too.
 Motion step_implicit_midpoint(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 
-/// Buss' augmented second-order method: one rotation by h ω + h²/2 ω̇ with the commutator's h³/12. Order 2.
+/// Buss' augmented second-order method: one rotation by h ω + h²/2 ω̇ + h³/12 ω̇ × ω, world axes. Order 2.
 Motion step_buss_augmented(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
 
 /// Runge, Kutta and Munthe-Kaas: the classical four stages in the Lie algebra, one exponential of their sum. Order 4.

@@ -1,5 +1,6 @@
 #include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/moser_veselov.hpp>
+#include <rigor/integrators/preprocessed_moments.hpp>
 #include <rigor/integrators/quaternion.hpp>
 #include <rigor/integrators/turning.hpp>
 
@@ -8,31 +9,9 @@ namespace {
 
 using V = Vec3<double>;
 
-/// 1/I of the changed body: (1 + s)/I + d, with s and d series in h² whose coefficients are polynomials in the energy H,
-/// C = |L|²/2 and the elementary symmetric functions of the moments.
-V preprocessed(const V& I, const V& inverse_I, const V& L_B, double h, int order) {
-  const double e1 = I[0] + I[1] + I[2], e2 = I[0] * I[1] + I[0] * I[2] + I[1] * I[2], e3 = I[0] * I[1] * I[2];
-  const double H = dot<double>(L_B, V(L_B.cwiseProduct(inverse_I))) / 2, C = dot<double>(L_B, L_B) / 2, h2 = h * h;
-  double s = 0, d = 0;
-  if (order >= 4) {
-    s += h2 * (-e2 * H / 3 + e1 * C / 6) / e3;
-    d += h2 * (e1 * H / 6 - C / 3) / e3;
-  }
-  if (order >= 8) {
-    const double k = h2 * h2 / (e3 * e3), l = k * h2 / e3;
-    s += k * (H * H * (e2 * e2 / 30 - e1 * e3 / 60) + H * C * (-e1 * e2 / 30 + 2 * e3 / 15) + C * C * (e1 * e1 / 30 - e2 / 10));
-    d += k * (H * H * (-e1 * e2 / 60 - e3 / 10) + H * C * (-e1 * e1 / 60 + 2 * e2 / 15) - C * C * e1 / 60);
-    s += l * (H * H * H * (-e2 * e2 * e2 / 630 + e1 * e2 * e3 / 630 + e3 * e3 / 35) + H * H * C * (e1 * e2 * e2 / 420 + 41 * e1 * e1 * e3 / 2520 - 53 * e2 * e3 / 630) +
-              H * C * C * (-e1 * e1 * e2 / 70 + 11 * e2 * e2 / 210 - e1 * e3 / 84) + C * C * C * (17 * e1 * e1 * e1 / 2520 - 11 * e1 * e2 / 420 + 5 * e3 / 126));
-    d += l * (H * H * H * (e1 * e2 * e2 / 1260 - 13 * e1 * e1 * e3 / 1260 + e2 * e3 / 42) + H * H * C * (13 * e1 * e1 * e2 / 2520 - 8 * e2 * e2 / 315 + 11 * e1 * e3 / 252) +
-              H * C * C * (e1 * e1 * e1 / 1260 - e1 * e2 / 1260 - 22 * e3 / 315) + C * C * C * (-19 * e1 * e1 / 2520 + e2 / 35));
-  }
-  return (1 + s) * inverse_I + V::Constant(d);
-}
-
 template <int order>
 Vec4<double> moser_veselov(const Cuboid<double>& body, const V& L_B, double h, long steps) {
-  const V inverse_I = order == 2 ? body.inverse_inertia() : preprocessed(body.inertia(), body.inverse_inertia(), L_B, h, order);
+  const V inverse_I = order == 2 ? body.inverse_inertia() : preprocessed_inverse_moments<double>(body.inertia(), body.inverse_inertia(), L_B, h, order);
   const V I = inverse_I.cwiseInverse(), to_g = h / 2 * inverse_I;
   const V f((I[1] - I[2]) * inverse_I[0], (I[2] - I[0]) * inverse_I[1], (I[0] - I[1]) * inverse_I[2]);
   const double enough = dot<double>(L_B.cwiseProduct(to_g), L_B.cwiseProduct(to_g)) * 0x1p-104;

@@ -65,9 +65,9 @@ Vec4<double> two_axes(const Cuboid<double>& body, const V& L_B, double h, long s
 }  // namespace
 
 int middle_axis(const V& I) {
-  for (int k = 0; k < 3; ++k)
-    if ((I[k] >= I[(k + 1) % 3]) == (I[k] <= I[(k + 2) % 3])) return k;
-  return 1;  // all three equal
+  for (int k = 0; k < 2; ++k)
+    if ((I[k] >= I[k + 1]) == (I[k] <= I[(k + 2) % 3])) return k;
+  return 2;
 }
 
 Motion step_split3(const Cuboid<double>& body, const Motion& now, const Load& load, double h) { return kicked_step(three_axes<strang>, body, now, load, h); }

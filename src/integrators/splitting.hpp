@@ -13,7 +13,7 @@ Motion step_split3_yoshida4(const Cuboid<double>& body, const Motion& now, const
 /// constant rate, exact and commuting with the rest; the rest has two squares, with smaller factors. Order 2, and
 /// exact for a symmetric body whose middle moment is one of the equal ones. proofs/coq/Splitting.v.
 Motion step_split2(const Cuboid<double>& body, const Motion& now, const Load& load, double h);
-/// The axis of I₂ among principal moments; 1 when all are equal.
+/// The axis of I₂ among principal moments; of equal ones, the first that lies between the others.
 int middle_axis(const Vec3<double>& I_B);
 /// Composed: Yoshida, order 4; Kahan and Li's nine stages, order 6, and seventeen, order 8.
 Motion step_split2_yoshida4(const Cuboid<double>& body, const Motion& now, const Load& load, double h);

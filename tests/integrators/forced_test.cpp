@@ -5,15 +5,14 @@
 #include <complex>
 #include <rigor/integrators/dormand_prince.hpp>
 #include <rigor/integrators/euler.hpp>
-#include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/gamma.hpp>
+#include <tests/integrators/laws.hpp>
 
 namespace rigor {
 namespace {
 
 using V = Vec3<double>;
 using C = std::complex<double>;
-const Cuboid<double> plate = *Cuboid<double>::make(2, {1, 2, 3});
 
 State<double> fly(const char* name, const State<double>& start, double h, long steps, const LoadAt& load) {
   Motion now = motion_of(plate, start);
@@ -118,15 +117,6 @@ TEST(Pendulum, KeepsItsEnergyToTheOrderOfTheMethod) {
 }
 
 const LoadAt free_of_load = [](double, const State<double>&) { return Load{}; };
-State<double> tumbling() {
-  State<double> s;
-  s.p_WB = V(1, -2, 3);
-  s.v_WB = V(0.5, 1, -0.25);
-  s.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
-  s.w_WB = V(0.3, -1, 0.7);
-  return s;
-}
-
 // The error of the whole flight follows the tolerance; the judge is the flow by Taylor's sixteenth order in small steps.
 TEST(DormandPrince, ErrorFollowsTheTolerance) {
   const State<double> s = tumbling(), want = fly("taylor16", s, 0.05, 200, free_of_load);
@@ -161,6 +151,7 @@ TEST(DormandPrince, RefusesWhatItCannotDo) {
   const State<double> s = tumbling();
   const auto fault = [&](const LoadAt& load, double t1, double tolerance) { return fly_dormand_prince(plate, s, load, 0, t1, tolerance).fault(); };
   EXPECT_EQ(fault(free_of_load, 1, 1e-16).where, "tolerance");
+  for (const double ends : {1e-14, 1e-1}) EXPECT_TRUE(fly_dormand_prince(plate, s, free_of_load, 0, 1, ends)) << ends;
   EXPECT_EQ(fault(free_of_load, 1, NAN).kind, Fault::Kind::out_of_range);
   EXPECT_EQ(fault(free_of_load, NAN, 1e-8).kind, Fault::Kind::not_finite);
   EXPECT_EQ(fault(free_of_load, INFINITY, 1e-8).where, "time");

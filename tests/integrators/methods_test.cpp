@@ -4,30 +4,20 @@
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/semi_implicit_step.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
-#include <rigor/integrators/method.hpp>
-#include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/gamma.hpp>
+#include <tests/integrators/laws.hpp>
 
 namespace rigor {
 namespace {
 
 using V = Vec3<double>;
 
-const Cuboid<double> plate = *Cuboid<double>::make(2, {1, 2, 3});
 const Cuboid<double> prism = *Cuboid<double>::make(2, {1, 1, 3});  // I1 = I2
 
 const Method& method(const char* name) {
   const Method* found = find_method(name);
   EXPECT_NE(found, nullptr) << name;
   return *found;
-}
-State<double> generic() {
-  State<double> s;
-  s.p_WB = V(1, -2, 3);
-  s.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
-  s.v_WB = V(0.5, 1, -0.25);
-  s.w_WB = V(0.3, -1, 0.7);
-  return s;
 }
 template <class LoadAt>
 State<double> fly(const char* name, const Cuboid<double>& body, const State<double>& start, double until, long steps, LoadAt load) {
@@ -50,7 +40,7 @@ TEST(Methods, AreFoundByNameAndNotByAnother) {
 // case FB-01: without force a straight line; spin about a principal axis stays. Rounding only.
 TEST(EveryMethod, FliesStraightAndKeepsAPrincipalSpin) {
   for (const Method& m : methods()) {
-    State<double> s = generic();
+    State<double> s = tumbling();
     s.w_WB = 1.5 * s.R_WB.col(2);
     const State<double> end = fly(std::string(m.name).c_str(), plate, s, 2, 1000, no_load);
     EXPECT_LT(norm<double>(V(end.p_WB - s.p_WB - 2 * s.v_WB)), gamma_bound(2000) * 5) << m.name;
@@ -66,7 +56,7 @@ TEST(EveryMethod, FliesStraightAndKeepsAPrincipalSpin) {
 TEST(FreeFall, LeadsOrLagsTheParabolaByHalfGHT) {
   const double T = 2, h = 0.01, g = -9.8;
   const auto weight = [&](double, const State<double>&) { return Load{V(0, plate.mass() * g, 0), zero3<double>()}; };
-  const State<double> s = generic();
+  const State<double> s = tumbling();
   const double parabola = s.p_WB[1] + T * s.v_WB[1] + g * T * T / 2, bound = gamma_bound(4 * 200) * 40;
   EXPECT_NEAR(fly("explicit-euler", plate, s, T, 200, weight).p_WB[1] - parabola, -g * h * T / 2, bound);
   for (const char* name : {"sheet", "euler-naive", "euler-exponential", "euler-momentum", "euler-momentum-cross"})
@@ -96,13 +86,13 @@ TEST(Drag, ExplicitEulerMultipliesByOneMinusCh) {
   for (const double h : {0.1, 0.5, 0.8}) {  // the last: ch = 2.4
     const long n = 20;
     const double want = std::pow(1 - c * h, double(n));
-    EXPECT_NEAR(fly("explicit-euler", plate, generic(), double(n) * h, n, drag).v_WB[1], want, 1e-12 * std::fabs(want) + 1e-15);
+    EXPECT_NEAR(fly("explicit-euler", plate, tumbling(), double(n) * h, n, drag).v_WB[1], want, 1e-12 * std::fabs(want) + 1e-15);
   }
 }
 
 // case D-08: L in world axes as the state stays the same to the bit, for ever.
 TEST(MomentumForm, KeepsAngularMomentumToTheBit) {
-  Motion now = motion_of(plate, generic());
+  Motion now = motion_of(plate, tumbling());
   const V L = now.L_W;
   for (int k = 0; k < 20000; ++k) now = method("euler-momentum").step(plate, now, {}, 0.01);
   EXPECT_EQ(now.L_W, L);
@@ -112,7 +102,7 @@ TEST(MomentumForm, KeepsAngularMomentumToTheBit) {
 // case D-12: a step of no length changes nothing.
 TEST(EveryMethod, AStepOfNoLengthChangesNothing) {
   for (const Method& m : methods()) {
-    const State<double> s = generic(), end = m.step(plate, motion_of(plate, s), {V(1, 2, 3), V(4, 5, 6)}, 0).state;
+    const State<double> s = tumbling(), end = m.step(plate, motion_of(plate, s), {V(1, 2, 3), V(4, 5, 6)}, 0).state;
     EXPECT_EQ(end.p_WB, s.p_WB) << m.name;
     EXPECT_EQ(end.v_WB, s.v_WB) << m.name;
     EXPECT_LT(norm<double>(V(end.w_WB - s.w_WB)), 1e-14) << m.name;
@@ -131,7 +121,7 @@ TEST(EveryMethod, FliesInOneCallAsItStepsOneByOne) {
         const bool spin_form = m.conserves.empty() && m.order == 1;
         if (h > 0.1 && (m.conserves == "L, energy" || m.order > 8 || spin_form)) continue;  // no one answer, no convergence, or no numbers at so long a step
         const long steps = 40;
-        Motion now = motion_of(body, generic());
+        Motion now = motion_of(body, tumbling());
         const Motion end = m.fly(body, now, h, steps);
         for (long k = 0; k < steps; ++k) now = m.step(body, now, {}, h);
         if (spin_form) {
@@ -157,7 +147,7 @@ TEST(EveryMethod, FliesInOneCallAsItStepsOneByOne) {
 
 // The assignment's flight in one loop, against the formulas one by one: the same bits.
 TEST(Sheet, FliesAsTheFormulasSay) {
-  State<double> s = generic();
+  State<double> s = tumbling();
   const Motion end = method("sheet").fly(plate, motion_of(plate, s), 0.01, 500);
   for (int k = 0; k < 500; ++k) {
     const Mat3<double> I = world_inertia<double>(s.R_WB, plate.inertia()), inverse_I = world_inverse_inertia<double>(s.R_WB, plate.inverse_inertia());
@@ -174,7 +164,7 @@ TEST(EveryMethod, ACubeKeepsItsSpin) {
   const Cuboid<double> cube = *Cuboid<double>::make(2, {1.5, 1.5, 1.5});
   for (const Method& m : methods()) {
     if (m.name == "euler-naive") continue;  // its R is no rotation, so its inertia is no cube's
-    const State<double> s = generic(), end = fly(std::string(m.name).c_str(), cube, s, 1, 200, no_load);
+    const State<double> s = tumbling(), end = fly(std::string(m.name).c_str(), cube, s, 1, 200, no_load);
     EXPECT_LT(norm<double>(V(end.w_WB - s.w_WB)), 1e-12) << m.name;
   }
 }
@@ -191,7 +181,7 @@ State<double> prism_at(const State<double>& s, double t) {
 // case FB-03, with the observed order of each method over three halvings.
 TEST(EveryMethod, ShowsItsOrderOnASquarePrism) {
   for (const Method& m : methods()) {
-    const State<double> s = generic(), want = prism_at(s, 1);
+    const State<double> s = tumbling(), want = prism_at(s, 1);
     const auto error = [&](long n) { return angle_between<double>(fly(std::string(m.name).c_str(), prism, s, 1, n, no_load).R_WB, want.R_WB); };
     if (error(400) < 1e-12) continue;  // order 6 and above is at rounding; split2 turns a symmetric body exactly
     const double order = std::log2(error(200) / error(400));
@@ -201,7 +191,7 @@ TEST(EveryMethod, ShowsItsOrderOnASquarePrism) {
 
 // case FB-10: negate the velocities at T and fly back; a method of order p misses the start by order p, rk4 by little.
 TEST(RungeKutta, FliesBackToWhereItCameFrom) {
-  const State<double> s = generic();
+  const State<double> s = tumbling();
   State<double> half = fly("rk4", plate, s, 2, 400, no_load);
   half.v_WB = -half.v_WB;
   half.w_WB = -half.w_WB;

@@ -24,7 +24,8 @@ Case draw_case(Draw& draw) {
   const Mat3<Q> R = draw.rotation();
   m.n_AB_W = R.col(0);
   m.e = Q(draw.integer(0, 8), 8);
-  const Vec3<Q> wanted = draw.positive() * R.col(1) - draw.positive() * R.col(0);
+  const Q approach = draw.positive(), slip = draw.positive();
+  const Vec3<Q> wanted = slip * R.col(1) - approach * R.col(0);
   m.b.state.v_WB += wanted - relative_velocity<Q>(m.A(), m.B(), m.before());
   return {m, R.col(1)};
 }
