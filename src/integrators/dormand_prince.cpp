@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <rigor/integrators/dormand_prince.hpp>
 #include <rigor/integrators/flat_state.hpp>
@@ -7,34 +8,34 @@
 namespace rigor {
 namespace {
 
-constexpr double c[7] = {0, 1 / 5., 3 / 10., 4 / 5., 8 / 9., 1, 1};
-constexpr double a[7][6] = {{},
-                            {1 / 5.},
-                            {3 / 40., 9 / 40.},
-                            {44 / 45., -56 / 15., 32 / 9.},
-                            {19372 / 6561., -25360 / 2187., 64448 / 6561., -212 / 729.},
-                            {9017 / 3168., -355 / 33., 46732 / 5247., 49 / 176., -5103 / 18656.},
-                            {35 / 384., 0, 500 / 1113., 125 / 192., -2187 / 6784., 11 / 84.}};
+constexpr std::array<double, 7> c{0, 1 / 5., 3 / 10., 4 / 5., 8 / 9., 1, 1};
+constexpr std::array<std::array<double, 6>, 7> a{{{},
+                                                  {1 / 5.},
+                                                  {3 / 40., 9 / 40.},
+                                                  {44 / 45., -56 / 15., 32 / 9.},
+                                                  {19372 / 6561., -25360 / 2187., 64448 / 6561., -212 / 729.},
+                                                  {9017 / 3168., -355 / 33., 46732 / 5247., 49 / 176., -5103 / 18656.},
+                                                  {35 / 384., 0, 500 / 1113., 125 / 192., -2187 / 6784., 11 / 84.}}};
 // weights of order 5 less those of order 4
-constexpr double e[7] = {71 / 57600., 0, -71 / 16695., 71 / 1920., -17253 / 339200., 22 / 525., -1 / 40.};
+constexpr std::array<double, 7> e{71 / 57600., 0, -71 / 16695., 71 / 1920., -17253 / 339200., 22 / 525., -1 / 40.};
 
 struct Step {
-  FlatState k[7];
+  std::array<FlatState, 7> k;
   FlatState end;
 
   /// From y at t, with k[0] the rate there; the last stage is the end, and its rate the next step's first.
   template <class Rate>
-  void take(const Rate& rate, double t, const FlatState& y, double h, int stages) {
-    for (int i = 1; i < 7; ++i) {
+  void take(const Rate& rate, double t, const FlatState& y, double h, std::size_t stages) {
+    for (std::size_t i = 1; i < 7; ++i) {
       end = y;
-      for (int j = 0; j < i; ++j) end += h * a[i][j] * k[j];
+      for (std::size_t j = 0; j < i; ++j) end += h * a[i][j] * k[j];
       if (i < stages) k[i] = rate(t + c[i] * h, end);
     }
   }
   /// The estimated error in parts of what the tolerance allows.
   double error(const FlatState& y, double h, double tolerance) const {
     FlatState off = FlatState::Zero();
-    for (int i = 0; i < 7; ++i) off += h * e[i] * k[i];
+    for (std::size_t i = 0; i < 7; ++i) off += h * e[i] * k[i];
     double worst = 0;
     for (int i = 0; i < 13; ++i) {
       const double part = std::fabs(off[i]) / (tolerance * (1 + std::max(std::fabs(y[i]), std::fabs(end[i]))));

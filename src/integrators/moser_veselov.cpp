@@ -11,7 +11,7 @@ using V = Vec3<double>;
 
 template <int order>
 Vec4<double> moser_veselov(const Cuboid<double>& body, const V& L_B, double h, long steps) {
-  const V inverse_I = order == 2 ? body.inverse_inertia() : preprocessed_inverse_moments<double>(body.inertia(), body.inverse_inertia(), L_B, h, order);
+  const V inverse_I = preprocessed_inverse_moments<double>(body.inertia(), body.inverse_inertia(), L_B, h, order);
   const V I = inverse_I.cwiseInverse(), to_g = h / 2 * inverse_I;
   const V f((I[1] - I[2]) * inverse_I[0], (I[2] - I[0]) * inverse_I[1], (I[0] - I[1]) * inverse_I[2]);
   const double enough = dot<double>(L_B.cwiseProduct(to_g), L_B.cwiseProduct(to_g)) * 0x1p-104;

@@ -4,7 +4,7 @@
 namespace rigor {
 
 /// Inverse moments (1/(kg m²), body axes) of the changed body whose step by Moser and Veselov's map is the turn of the body
-/// with moments `I_B` (kg m²) to order 4 or 8: (1 + s)/I + d, with s and d series in h² whose coefficients are polynomials in
+/// with moments `I_B` (kg m²) to `order` 4 or 8, and to order 2 those of the body itself: (1 + s)/I + d, with s and d series in h² whose coefficients are polynomials in
 /// the energy H, C = |L|²/2 and the elementary symmetric functions of the moments. `L_B`: kg m²/s, body axes; h: s.
 /// Source: Hairer and Vilmart 2006; every coefficient is held to 50 digits by tests/integrators/moser_veselov_test.cpp.
 template <class T>

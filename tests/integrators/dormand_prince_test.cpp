@@ -93,11 +93,31 @@ TEST(DormandPrince, HeedsThePlaceAndTheSpin) {
     const auto there = fly_dormand_prince(plate, {}, [&](double t, const State<double>&) { return Load{V(plate.mass() * std::sin(t / slow) / (slow * slow) * along), zero3<double>()}; }, 0, 6 * slow, tolerance);
     ASSERT_TRUE(there);
     EXPECT_NEAR(there->end.p_WB[axis], 6 - std::sin(6.0), 100 * tolerance) << axis;
-    const double quick = 1e-3;
+    const double quick = 1e-6;
     const auto spun = fly_dormand_prince(plate, {}, [&](double t, const State<double>&) { return Load{zero3<double>(), V(plate.inertia()[axis] * std::sin(t / quick) / quick * along)}; }, 0, 6 * quick, tolerance);
     ASSERT_TRUE(spun);
     EXPECT_NEAR(spun->end.w_WB[axis], 1 - std::cos(6.0), 100 * tolerance) << axis;
   }
+}
+
+// A place far away is known to its own size only; that leaves the attitude none the worse.
+TEST(DormandPrince, KeepsTheAttitudeOfABodyFarAway) {
+  const LoadAt none = [](double, const State<double>&) { return Load{}; };
+  const double tolerance = 1e-9;
+  for (int axis = 0; axis < 3; ++axis) {
+    State<double> near = tumbling(), far = near;
+    far.p_WB = V(1e7 * V::Unit(axis));
+    const auto want = fly_dormand_prince(plate, near, none, 0, 5, 1e-13), got = fly_dormand_prince(plate, far, none, 0, 5, tolerance);
+    ASSERT_TRUE(want && got);
+    EXPECT_LT(angle_between<double>(want->end.R_WB, got->end.R_WB), 100 * tolerance) << axis;
+  }
+}
+
+// Late in a flight a step at the rounding of t is longer than one at the rounding of 1: it ends there, too, instead of going on for ever.
+TEST(DormandPrince, EndsWhereALoadIsNoNumberHoweverLate) {
+  const auto flown = fly_dormand_prince(plate, {}, [](double t, const State<double>&) { return Load{V(t > 1e9 + 0.5 ? NAN : 1, 0, 0), zero3<double>()}; }, 1e9, 1e9 + 1, 1e-8);
+  ASSERT_FALSE(flown);
+  EXPECT_EQ(flown.fault().where, "step");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Turn taylor(const Vec3<T>& J, const Vec3<T>& L0, const T& h) {
 
 T missed(const Vec3<T>& I, const Vec3<T>& L, const T& h, int order) {
   const Vec3<T> J(1 / I[0], 1 / I[1], 1 / I[2]);
-  const Turn got = moser_veselov(order == 2 ? J : preprocessed_inverse_moments<T>(I, J, L, h, order), L, h), want = taylor(J, L, h);
+  const Turn got = moser_veselov(preprocessed_inverse_moments<T>(I, J, L, h, order), L, h), want = taylor(J, L, h);
   T sum = 0;
   for (int i = 0; i < 4; ++i) sum += (got[i] - want[i]) * (got[i] - want[i]);
   return sqrt(sum);

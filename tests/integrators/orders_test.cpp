@@ -30,7 +30,7 @@ TEST(EveryMethod, ComesBackIfItIsSymmetric) {
 // case D-11, in one step, where a coefficient of the highest order is not drowned by lower terms or by rounding. The two references are
 // of two families, and each is judged by the other under the load and by its own parts without.
 TEST(EveryMethod, HasTheOrderItStatesInOneStep) {
-  const auto slack = [](int order) { return order <= 4 ? 0.05 : order <= 6 ? 0.2 : order == 8 ? 0.5 : 2; };  // measured: 0.02, 0.13, 0.45, 1.33
+  const auto slack = [](int order) { return order <= 4 ? 0.05 : order <= 6 ? 0.2 : order <= 8 ? 0.5 : 2; };  // measured: 0.02, 0.13, 0.45, 1.33
   for (const Method& m : methods()) {
     EXPECT_NEAR(local_order(m, *find_method("taylor16"), no_load), m.order, slack(m.order)) << m.name;
     EXPECT_NEAR(local_order(m, *find_method(m.name == "taylor16" ? "split2-kahan-li8" : "taylor16"), changing_load), m.forced_order, slack(m.forced_order)) << m.name;
