@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <random>
 #include <rigor/collision/box_box.hpp>
-#include <rigor/collision/handed_out_pair.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/gamma.hpp>
 #include <tests/collision/exact_sat.hpp>
@@ -213,21 +212,6 @@ TEST(BoxBox, ThinPlatesFarFromTheOrigin) {
   ASSERT_TRUE(m.touches());
   EXPECT_EQ(m.n_AB_W, V(0, 1, 0));
   EXPECT_NEAR(m.depth, 1e-7, 4 * unit_roundoff<double>() * 2e6);  // the difference of positions is known no better
-}
-
-// The handed-out detection finds an upright overlap and misses a turned one: its change of frame does not turn the
-// offset between the centres.
-TEST(HandedOutPair, IsRightUprightAndWrongWhenTurned) {
-  const Body a = body(V(2, 1, 1)), upright = body(V(2, 1, 1), V(1.8, 0.2, 0.1));
-  ASSERT_TRUE(handed_out_pair(a.shape, a.pose, upright.shape, upright.pose));
-  const Mat3<double> quarter = rotation_of<double>(Vec4<double>(1, 0, 0, 1));  // x goes to y
-  Body standing = a, above = upright;
-  for (Body* each : {&standing, &above}) {
-    each->pose.p_WB = quarter * each->pose.p_WB;
-    each->pose.R_WB = quarter * each->pose.R_WB;
-  }
-  EXPECT_TRUE(touch(standing, above).touches());
-  EXPECT_FALSE(handed_out_pair(standing.shape, standing.pose, above.shape, above.pose)) << "the same overlap, turned as a whole";
 }
 
 }  // namespace
