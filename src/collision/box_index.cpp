@@ -39,7 +39,8 @@ void BoxIndex::overlapping(const AxisBox& box, std::vector<std::uint32_t>& found
   for (std::uint32_t at = 0; at < levels_.size(); ++at) {
     const Level& level = levels_[at];
     if (level.count == 0) continue;
-    double low[3], high[3], cells = 1, farthest = 0;
+    Vec3<double> low, high;  // of the cells, in cells
+    double cells = 1, farthest = 0;
     for (int k = 0; k < 3; ++k) {
       low[k] = std::floor(std::ldexp(box.low[k], -level.exponent)) - 1;
       high[k] = std::floor(std::ldexp(box.high[k], -level.exponent));

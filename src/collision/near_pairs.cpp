@@ -5,11 +5,11 @@
 namespace rigor {
 namespace {
 
-constexpr double farthest = 1 << 20;  // cells; beyond it they are counted as the last one, which parts no neighbours
+constexpr std::int64_t middle = 1 << 20;  // of the 21 bits of a cell's number along an axis
+// cells; beyond it they are counted as the last one, which parts no neighbours. A neighbour's number fits into the bits, too.
+constexpr double farthest = middle - 2;
 
-std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-  return std::uint64_t(x + (1 << 20) + 1) << 42 | std::uint64_t(y + (1 << 20) + 1) << 21 | std::uint64_t(z + (1 << 20) + 1);
-}
+std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) { return std::uint64_t(x + middle) << 42 | std::uint64_t(y + middle) << 21 | std::uint64_t(z + middle); }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ const NearPairs::Pairs& NearPairs::find(const std::vector<Vec3<double>>& centres
     return pairs_;
   }
 
-  const auto place = [&](double x) { return std::int64_t(std::clamp(std::floor(x / cell), -farthest, farthest - 1)); };
+  const auto place = [&](double x) { return std::int64_t(std::clamp(std::floor(x / cell), -farthest, farthest)); };
   auto& cells = cells_;
   cells.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) cells[i] = {key(place(centres[i][0]), place(centres[i][1]), place(centres[i][2])), i};

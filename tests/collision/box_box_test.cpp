@@ -204,6 +204,14 @@ TEST(BoxBox, DoesNotCareWhoIsFirstOrWhereTheWorldIs) {
   }
 }
 
+TEST(BoxBox, ApartThereIsNoManifold) {
+  const Manifold none = touch(body(V(1, 2, 3), V(0, 0, 0)), body(V(1, 2, 3), V(5, 0, 0)));
+  EXPECT_FALSE(none.touches());
+  EXPECT_EQ(none.count, 0);
+  EXPECT_EQ(none.depth, 0);
+  EXPECT_EQ(none.axis, -1);
+}
+
 // case S-02: plates of 1 : 1e6 and centres far from the origin.
 TEST(BoxBox, ThinPlatesFarFromTheOrigin) {
   const V far(1e6, -2e6, 5e5);

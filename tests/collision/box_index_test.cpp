@@ -50,13 +50,13 @@ TEST(BoxIndex, FindsThoseThatOverlap) {
   std::size_t met = 0;
   for (int world = 0; world < 100; ++world) {
     const std::uint32_t n = 1 + std::uint32_t(random() % 200);
-    const double spread = std::exp(in(-30, 30)), away = world % 5 == 0 ? 1e9 * spread : 0, sizes = in(0, 12);
+    const double spread = std::exp(in(-30, 30)), away = world % 5 == 0 ? 1e9 * spread : 0, sizes = world % 3 == 0 ? 0 : in(0, 12);  // of one size, or of many
     const auto draw = [&] {
       AxisBox box;
       const double size = spread / 10 * std::exp(-in(0, sizes));
       for (int k = 0; k < 3; ++k) {
         box.low[k] = away + in(-spread, spread);
-        box.high[k] = box.low[k] + (world % 4 == k ? 0 : size);
+        box.high[k] = box.low[k] + (world % 4 == k ? 0 : size * std::exp(-in(0, world % 2 == 0 ? 0 : 5)));  // needles and plates, too
       }
       return box;
     };
@@ -72,6 +72,10 @@ TEST(BoxIndex, FindsThoseThatOverlap) {
         index.put(i, *there[i]);
       }
       EXPECT_EQ(index.has(i), there[i].has_value());
+      if (there[i]) {
+        EXPECT_EQ(index.box(i).low, there[i]->low);
+        EXPECT_EQ(index.box(i).high, there[i]->high);
+      }
       if (change % 3 != 0) continue;
       const AxisBox asked = there[i] ? *there[i] : draw();
       std::vector<std::uint32_t> found, want;
