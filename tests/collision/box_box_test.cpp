@@ -7,6 +7,7 @@
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scalar/gamma.hpp>
 #include <tests/collision/exact_sat.hpp>
+#include <tests/collision/poses.hpp>
 
 namespace rigor {
 namespace {
@@ -19,23 +20,13 @@ Mat3<double> turn(Random& random) {
   std::normal_distribution<double> N;
   return rotation_of<double>(Vec4<double>(N(random), N(random), N(random), N(random)));
 }
-struct Body {
-  Cuboid<double> shape;
-  State<double> pose;
-};
-Body body(const V& size, const V& at = zero3<double>(), const Mat3<double>& R = identity3<double>()) {
-  State<double> pose;
-  pose.p_WB = at;
-  pose.R_WB = R;
-  return {*Cuboid<double>::make(1, size), pose};
-}
 Manifold touch(const Body& a, const Body& b) { return box_box(a.shape, a.pose, b.shape, b.pose); }
 Separation apart(const Body& a, const Body& b) { return separation(a.shape, a.pose, b.shape, b.pose); }
 double extent(const Body& a, const Body& b) { return (a.shape.size().sum() + b.shape.size().sum()) / 2 + norm<double>(V(b.pose.p_WB - a.pose.p_WB)); }
 bool inside(const Body& b, const V& point, double grown) {
   const V local = apply_transposed<double>(b.pose.R_WB, V(point - b.pose.p_WB));
   for (int i = 0; i < 3; ++i)
-    if (std::fabs(local[i]) > b.shape.size()[i] / 2 + grown) return false;
+    if (!(std::fabs(local[i]) <= b.shape.size()[i] / 2 + grown)) return false;
   return true;
 }
 
@@ -202,6 +193,86 @@ TEST(BoxBox, DoesNotCareWhoIsFirstOrWhereTheWorldIs) {
     }
     EXPECT_NEAR(apart(c, d).gap, one.gap, 1e-13 * (scale + 10));
   }
+}
+
+// Every face against every face, by figures: two blocks whose edges lie along the axes, whichever their own axes are. The patch is the
+// rectangle in which they overlap, half the depth within either.
+TEST(BoxBox, AnyTwoFacesMeetInTheRectangleTheyShare) {
+  const V lower(2, 1, 3), upper(1.5, 0.75, 2.5), shift(0.625, 0, -0.75);  // extents along the world's axes
+  const double depth = 0.125;
+  const auto rotations = cube_rotations();
+  for (const Mat3<double>& Q : rotations)
+    for (const Mat3<double>& R : rotations) {
+      const auto own = [](const Mat3<double>& T, const V& world) { return V(V(T.transpose() * world).cwiseAbs()); };
+      const Body a = body(own(Q, lower), V(5, -1, 2), Q), b = body(own(R, upper), V(V(5, -1, 2) + shift + V(0, (1 + 0.75) / 2 - depth, 0)), R);
+      for (const bool swapped : {false, true}) {
+        const Manifold m = swapped ? touch(b, a) : touch(a, b);
+        ASSERT_EQ(m.count, 4);
+        EXPECT_LT(norm<double>(V(m.n_AB_W - V(0, swapped ? -1 : 1, 0))), 1e-15);
+        EXPECT_NEAR(m.depth, depth, 1e-15);
+        V least = V::Constant(1e9), most = V::Constant(-1e9);
+        for (int k = 0; k < 4; ++k) {
+          least = least.cwiseMin(m.points[std::size_t(k)].p_WC);
+          most = most.cwiseMax(m.points[std::size_t(k)].p_WC);
+          EXPECT_NEAR(m.points[std::size_t(k)].depth, depth, 1e-15);
+        }
+        // along x from b's left to a's right, along z from b's near to the nearer of the far ends; y in the middle
+        EXPECT_LT(norm<double>(V(least - (V(5, -1, 2) + V(0.625 - 0.75, 0.5 - depth / 2, -1.5)))), 1e-14);
+        EXPECT_LT(norm<double>(V(most - (V(5, -1, 2) + V(1, 0.5 - depth / 2, 0.5)))), 1e-14);
+        EXPECT_LT(norm<double>(V(m.centroid() - (least + most) / 2)), 1e-14);
+      }
+    }
+}
+
+// A corner in a face, and an edge across an edge, by figures, in every orientation: the point lies halfway between what overlaps.
+TEST(BoxBox, ACornerOrAnEdgeTouchesAtOnePointHalfwayIn) {
+  const double depth = 0.125, rounding = 40 * unit_roundoff<double>() * 10;  // extents of 10 m; measured 1.1e-14
+  for (int corner = 0; corner < 8; ++corner)
+    for (const Mat3<double>& Q : cube_rotations()) {
+      // the corner's own direction is turned to point straight down, into the top of a plate
+      const Body plate = body(V(6, 1, 8), zero3<double>());
+      Body die = body(V(1, 1.25, 0.75));
+      const V arm = die.shape.corner(corner), axis = cross<double>(V(arm / norm<double>(arm)), V(0, -1, 0));
+      die.pose.R_WB = exp_so3<double>(V(axis / norm<double>(axis) * std::acos(-arm[1] / norm<double>(arm))));
+      die.pose.p_WB = V(0.5, 0.5 - depth + norm<double>(arm), -0.25);
+      for (const bool swapped : {false, true}) {
+        Body a = swapped ? die : plate, b = swapped ? plate : die;
+        for (Body* each : {&a, &b}) each->pose.p_WB = Q * each->pose.p_WB, each->pose.R_WB = Q * each->pose.R_WB;
+        const Manifold m = touch(a, b);
+        ASSERT_EQ(m.count, 1);
+        EXPECT_NEAR(m.depth, depth, rounding);
+        EXPECT_LT(norm<double>(V(m.points[0].p_WC - Q * V(0.5, 0.5 - depth / 2, -0.25))), rounding);
+      }
+    }
+  // two beams that lie on an edge each and cross: turned 45 degrees about x and about the line across, d along y
+  const double half = std::sqrt(2.0) / 2, angle = 0.7;  // between the edges
+  const Mat3<double> on_edge = exp_so3<double>(V(3.14159265358979323846 / 4 * V(1, 0, 0)));
+  for (int own = 0; own < 3; ++own)      // which of its axes lies along the edge
+    for (int other = 0; other < 3; ++other)
+      for (const Mat3<double>& Q : cube_rotations())
+        for (const bool swapped : {false, true}) {
+          const auto beam = [](int along) {
+            V size = V::Constant(1);
+            size[along] = 4;
+            Mat3<double> R = zero33<double>();  // own axis `along` to x
+            R(0, along) = R(1, (along + 1) % 3) = R(2, (along + 2) % 3) = 1;
+            return std::pair{size, R};
+          };
+          const auto [size_a, turn_a] = beam(own);
+          const auto [size_b, turn_b] = beam(other);
+          const V across(0.25, 0, -0.5);
+          Body a = body(size_a, zero3<double>(), Mat3<double>(on_edge * turn_a));
+          Body b = body(size_b, V(V(0, 2 * half - depth, 0) + across), Mat3<double>(exp_so3<double>(V(angle * V(0, 1, 0))) * on_edge * turn_b));
+          for (Body* each : {&a, &b}) each->pose.p_WB = Q * each->pose.p_WB, each->pose.R_WB = Q * each->pose.R_WB;
+          const Manifold m = swapped ? touch(b, a) : touch(a, b);
+          ASSERT_EQ(m.count, 1);
+          EXPECT_GE(m.axis, 6);
+          EXPECT_NEAR(m.depth, depth, rounding);
+          EXPECT_LT(norm<double>(V(m.n_AB_W - (swapped ? -1 : 1) * (Q * V(0, 1, 0)))), rounding);
+          // a's edge is z = 0, y = half; b's passes (across x, z) along (cos, -sin): they cross where z = 0
+          const V crossing(across[0] + across[2] / std::tan(angle), half - depth / 2, 0);
+          EXPECT_LT(norm<double>(V(m.points[0].p_WC - Q * crossing)), rounding) << own << other;
+        }
 }
 
 TEST(BoxBox, ApartThereIsNoManifold) {

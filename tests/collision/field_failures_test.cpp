@@ -7,38 +7,12 @@
 #include <rigor/collision/box_box.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <tests/collision/exact_sat.hpp>
-#include <vector>
+#include <tests/collision/poses.hpp>
 
 namespace rigor {
 namespace {
 
 using V = Vec3<double>;
-struct Body {
-  Cuboid<double> shape;
-  State<double> pose;
-};
-Body body(const V& size, const V& at, const Mat3<double>& R = identity3<double>()) {
-  State<double> pose;
-  pose.p_WB = at;
-  pose.R_WB = R;
-  return {*Cuboid<double>::make(1, size), pose};
-}
-std::vector<Mat3<double>> cube_rotations() {
-  std::vector<Mat3<double>> all;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (const double si : {1., -1.})
-        for (const double sj : {1., -1.}) {
-          if (i == j) continue;
-          V x = zero3<double>(), y = zero3<double>();
-          x[i] = si, y[j] = sj;
-          const V z = cross<double>(x, y);
-          Mat3<double> R;
-          for (int k = 0; k < 3; ++k) R(k, 0) = x[k], R(k, 1) = y[k], R(k, 2) = z[k];
-          all.push_back(R);
-        }
-  return all;
-}
 Body turned(const Body& b, const Mat3<double>& Q) {
   Mat3<double> R = Q * b.pose.R_WB;
   return {b.shape, [&] { State<double> s; s.p_WB = Q * b.pose.p_WB; s.R_WB = R; return s; }()};

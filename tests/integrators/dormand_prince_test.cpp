@@ -104,13 +104,12 @@ TEST(DormandPrince, HeedsThePlaceAndTheSpin) {
 TEST(DormandPrince, KeepsTheAttitudeOfABodyFarAway) {
   const LoadAt none = [](double, const State<double>&) { return Load{}; };
   const double tolerance = 1e-9;
-  for (int axis = 0; axis < 3; ++axis) {
-    State<double> near = tumbling(), far = near;
-    far.p_WB = V(1e7 * V::Unit(axis));
-    const auto want = fly_dormand_prince(plate, near, none, 0, 5, 1e-13), got = fly_dormand_prince(plate, far, none, 0, 5, tolerance);
-    ASSERT_TRUE(want && got);
-    EXPECT_LT(angle_between<double>(want->end.R_WB, got->end.R_WB), 100 * tolerance) << axis;
-  }
+  const State<double> near = tumbling();
+  State<double> far = near;
+  far.p_WB = V(1e7, -1e7, 1e7);
+  const auto want = fly_dormand_prince(plate, near, none, 0, 5, 1e-13), got = fly_dormand_prince(plate, far, none, 0, 5, tolerance);
+  ASSERT_TRUE(want && got);
+  EXPECT_LT(angle_between<double>(want->end.R_WB, got->end.R_WB), 100 * tolerance);
 }
 
 // Late in a flight a step at the rounding of t is longer than one at the rounding of 1: it ends there, too, instead of going on for ever.
