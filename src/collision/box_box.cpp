@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <rigor/collision/box_box.hpp>
@@ -79,24 +80,34 @@ struct Polygon {
 };
 
 // Reference box with half edges h, at the origin of its own axes; the other box by C (its axes), t (its centre).
-// `face` and `out` say which face is the reference. Points and depths go to the manifold through `place`.
+// `face` and `out` say which face is the reference, `overlap` how deep the boxes overlap there. Points and depths go to the
+// manifold through `place`.
 template <class Place>
-void clip_face(const V& h, const Mat3<double>& C, const V& t, const V& h_other, int face, double out, Place place) {
+void clip_face(const V& h, const Mat3<double>& C, const V& t, const V& h_other, int face, double out, double overlap, Place place) {
   int incident = 0;  // the other box's face that looks most against the reference normal
   for (int j = 1; j < 3; ++j)
     if (std::fabs(C(face, j)) > std::fabs(C(face, incident))) incident = j;
   const double side = out * C(face, incident) > 0 ? -1 : 1;
   const int j1 = (incident + 1) % 3, j2 = (incident + 2) % 3;
   Polygon polygon;
-  for (const auto& [s1, s2] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-    polygon.add(V(t + side * h_other[incident] * C.col(incident) + s1 * h_other[j1] * C.col(j1) + s2 * h_other[j2] * C.col(j2)));
-  for (const int axis : {(face + 1) % 3, (face + 2) % 3})
+  V deepest = zero3<double>();  // of the incident face's corners, brought between the sides; then of what the sides leave of it
+  for (const auto& [s1, s2] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const V corner(t + side * h_other[incident] * C.col(incident) + s1 * h_other[j1] * C.col(j1) + s2 * h_other[j2] * C.col(j2));
+    if (polygon.count == 0 || out * corner[face] < out * deepest[face]) deepest = corner;
+    polygon.add(corner);
+  }
+  for (const int axis : {(face + 1) % 3, (face + 2) % 3}) {
+    deepest[axis] = std::clamp(deepest[axis], -h[axis], h[axis]);
     for (const double sign : {1.0, -1.0}) polygon = polygon.cut(axis, sign, h[axis]);
+  }
+  double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < polygon.count; ++k) {
     const V& point = polygon.at[std::size_t(k)];
     const double depth = h[face] - out * point[face];
     if (depth > 0) place(point, depth);
+    if (depth > most) most = depth, deepest = point;
   }
+  if (!(most > 0)) place(deepest, overlap);  // so little overlap that rounding clipped every point
 }
 
 // The middle of the shortest line between edge i of A and edge j of B that support the axis n (A's axes).
@@ -138,22 +149,17 @@ Manifold box_box(const Cuboid<double>& A, const State<double>& a, const Cuboid<d
   };
   if (best.axis < 3) {
     const double out = best.n_A[best.axis] > 0 ? 1 : -1;
-    clip_face(p.half_A, p.C, p.t, p.half_B, best.axis, out, [&](const V& x, double depth) {
+    clip_face(p.half_A, p.C, p.t, p.half_B, best.axis, out, m.depth, [&](const V& x, double depth) {
       add(V(a.p_WB + apply<double>(a.R_WB, x) + depth / 2 * m.n_AB_W), depth);
     });
   } else if (best.axis < 6) {  // the same seen from B
     const int face = best.axis - 3;
     const V back = -apply_transposed<double>(p.C, p.t), n_B = apply_transposed<double>(p.C, best.n_A);
-    clip_face(p.half_B, Mat3<double>(p.C.transpose()), back, p.half_A, face, n_B[face] > 0 ? -1 : 1, [&](const V& x, double depth) {
+    clip_face(p.half_B, Mat3<double>(p.C.transpose()), back, p.half_A, face, n_B[face] > 0 ? -1 : 1, m.depth, [&](const V& x, double depth) {
       add(V(b.p_WB + apply<double>(b.R_WB, x) - depth / 2 * m.n_AB_W), depth);
     });
   } else {
     add(V(a.p_WB + apply<double>(a.R_WB, edge_point(p, best.n_A, (best.axis - 6) / 3, (best.axis - 6) % 3))), m.depth);
-  }
-  if (m.count == 0) {  // a face so barely overlapping that rounding clipped every point: its deepest support point
-    V deepest = b.p_WB;
-    for (int j = 0; j < 3; ++j) deepest -= (dot<double>(m.n_AB_W, b.R_WB.col(j)) > 0 ? 1 : -1) * p.half_B[j] * b.R_WB.col(j);
-    add(V(deepest + m.depth / 2 * m.n_AB_W), m.depth);
   }
   return m;
 }

@@ -275,6 +275,35 @@ TEST(BoxBox, ACornerOrAnEdgeTouchesAtOnePointHalfwayIn) {
         }
 }
 
+// Boxes that overlap by some roundings, generic, parallel, or parallel but for a hair: where rounding clips every point the one that
+// stands for them lies in both.
+TEST(BoxBox, OverlapsOfAFewRoundingsTouchWhereTheBoxesAre) {
+  Random random(13);
+  const auto rotations = cube_rotations();
+  long touching = 0, outside = 0;
+  for (int k = 0; k < 12000; ++k) {
+    Body a = body(size_of(random, 4), V{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)}, turn(random)), b = body(size_of(random, 4));
+    const V hair = std::pow(10, uniform(random, -13, -8)) * V{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    if (k % 3 == 0) b.pose.R_WB = turn(random);
+    else b.pose.R_WB = a.pose.R_WB * rotations[random() % 24] * (k % 3 == 1 ? identity3<double>() : exp_so3<double>(hair));
+    V direction{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+    direction /= norm<double>(direction);
+    double near = 0, far = norm<double>(a.shape.size()) + norm<double>(b.shape.size());
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (near + far) / 2;
+      b.pose.p_WB = a.pose.p_WB + middle * direction;
+      (apart(a, b).gap > 0 ? far : near) = middle;
+    }
+    b.pose.p_WB = a.pose.p_WB + near * (1 - (k % 2 == 0 ? 0 : std::pow(10, uniform(random, -17, -12)))) * direction;
+    const Manifold m = touch(a, b);
+    touching += m.touches();
+    const double slack = 1e-12 + 4 * norm<double>(hair);  // a corner brought between the sides leaves its own tilted face by that
+    for (int i = 0; i < m.count; ++i) outside += !inside(a, m.points[std::size_t(i)].p_WC, slack) || !inside(b, m.points[std::size_t(i)].p_WC, slack);
+  }
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(touching, 5000);
+}
+
 TEST(BoxBox, ApartThereIsNoManifold) {
   const Manifold none = touch(body(V(1, 2, 3), V(0, 0, 0)), body(V(1, 2, 3), V(5, 0, 0)));
   EXPECT_FALSE(none.touches());
