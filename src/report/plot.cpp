@@ -145,7 +145,8 @@ std::string describe(const Plot& plot) {
   return text;
 }
 
-std::string svg(const Plot& plot, const std::vector<std::string>& colours, const std::string& style) {
+std::string svg(Plot plot, const std::vector<std::string>& colours, const std::string& style) {
+  std::erase_if(plot.series, [](const Series& s) { return s.aside; });
   std::vector<double> xs, ys;
   for (const Series& s : plot.series) {
     xs.insert(xs.end(), s.x.begin(), s.x.end());
@@ -191,7 +192,7 @@ std::string data(const Plot& plot) {
       if (drawable(s.y[i], plot.log_y)) y.push_back(std::strtod(number("%.5g", s.y[i]).c_str(), nullptr));
       else y.push_back(nullptr);
     }
-    json["series"].push_back({{"name", s.name}, {"x", x}, {"y", y}, {"markers", s.markers}, {"dashed", s.dashed}, {"colour", colour_of(plot, std::size_t(&s - plot.series.data()))}});
+    json["series"].push_back({{"name", s.name}, {"x", x}, {"y", y}, {"markers", s.markers}, {"dashed", s.dashed}, {"aside", s.aside}, {"colour", colour_of(plot, std::size_t(&s - plot.series.data()))}});
   }
   std::string text;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))

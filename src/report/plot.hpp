@@ -12,6 +12,7 @@ struct Series {
   bool markers = true;
   bool dashed = false;  ///< a guide (a slope, a bound), not data
   int colour = -1;      ///< the number of the curve whose colour it shares; -1: one of its own
+  bool aside = false;   ///< one too many for a still picture: not in it, to be switched on where the page has its script
 };
 
 struct Plot {

@@ -41,6 +41,15 @@ TEST(Ticks, AreDecadesOnALogarithmicAxisAndOneTwoFiveElse) {
   EXPECT_EQ(ticks(0, 10, false), (std::vector<double>{0, 2, 4, 6, 8, 10}));
 }
 
+// A curve set aside is not in the still picture, nor in its axes and legend; its numbers are in the page.
+TEST(Plot, LeavesOutWhatIsSetAside) {
+  Plot plot{"error", "step", "error", true, true, {{"a", {1, 2}, {1e-3, 1e-2}}, {"b", {1, 2}, {1e-9, 1e-8}}}};
+  EXPECT_NE(svg_file(plot).find(">1e-9<"), std::string::npos);
+  plot.series[1].aside = true;
+  for (const char* of_b : {">1e-9<", ">b<", "b;"}) EXPECT_EQ(svg_file(plot).find(of_b), std::string::npos) << of_b;
+  EXPECT_NE(figure(plot).find("\"name\":\"b\""), std::string::npos);
+}
+
 TEST(Plot, SaysHowManyPointsItCannotDraw) {
   Plot plot{"error", "step", "error", true, true, {{"a", {1, 2, 4}, {1e-3, NAN, 0}}}};
   const std::string html = figure(plot);

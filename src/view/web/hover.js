@@ -37,7 +37,7 @@ function draw(figure) {
     legend: {markers: {dash: (u, i) => plot.series[i - 1]?.dashed ? 'dashed' : 'solid'}},
     axes: [axis_of(plot.x_label, plot.log_x), {...axis_of(plot.y_label, plot.log_y), size: 70}],
     series: [{label: plot.x_label, value: (u, x) => short(x)}, ...plot.series.map(s => ({
-      label: s.name, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dashed ? [5, 4] : [], spanGaps: true,
+      label: s.name, show: !s.aside, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dashed ? [5, 4] : [], spanGaps: true,
       points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => y && plot.log_y ? exponential(y) : short(y)}))],
   }, aligned(plot.series), host);
   figure.classList.add('hovers');
