@@ -140,15 +140,26 @@ Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::
 
 std::string table_text(const std::vector<TableRow>& rows) {
   const bool event = !rows.empty() && rows[0].event;
-  std::string out = event ? "worst of      answered  attitude, rad  spin, rel.  time, rel.  velocity, rel.  at\n" : "stratum       answered   worst attitude, rad   worst spin, relative   at\n";
+  std::string out = event ? "stratum       answered  angle, rad rel. spin rel. time rel. vel.  at\n" : "stratum       answered   worst attitude, rad   worst spin, relative   at\n";
   for (const TableRow& r : rows) {
     std::string line = fmt::format("{:<12}  {:3} of {:<3}", r.stratum, r.answered, r.of);
-    if (r.answered > 0 && event) line += fmt::format("{:13.2e} {:11.2e} {:11.2e} {:15.2e}  {}", r.attitude, r.spin, r.time, r.velocity, r.worst);
-    if (r.answered > 0 && !event) line += fmt::format(" {:15.2e} {:22.2e}    {}", r.attitude, r.spin, r.worst);
-    while (line.back() == ' ' && r.answered > 0) line.pop_back();
+    if (r.answered > 0 && event) line += fmt::format("{:10.2e} {:9.2e} {:9.2e} {:9.2e}  {}", r.attitude, r.spin, r.time, r.velocity, r.worst);
+    if (r.answered > 0 && !event) line += fmt::format(" {:15.2e} {:22.2e}   {}", r.attitude, r.spin, r.worst);
+    while (line.back() == ' ') line.pop_back();
     out += line + "\n";
   }
   return out;
 }
+
+TableVerdict verdict_of(const std::vector<TableRow>& rows) {
+  TableVerdict verdict;
+  for (const TableRow& r : rows) {
+    verdict.answered += r.answered, verdict.cases += r.of;
+    for (const auto& [name, error] : {std::pair{"attitude", r.attitude}, {"spin", r.spin}, {"time", r.time}, {"velocity", r.velocity}})
+      if (r.answered > 0 && (verdict.of.empty() || error > verdict.worst)) verdict.worst = error, verdict.of = name + (", " + r.stratum);
+  }
+  return verdict;
+}
+std::string verdict_text(const TableVerdict& v) { return fmt::format("worst {:.2e} ({}), {} of {} cases answered", v.worst, v.of, v.answered, v.cases); }
 
 }  // namespace rigor::studies

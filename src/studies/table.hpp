@@ -34,4 +34,16 @@ Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::
 
 std::string table_text(const std::vector<TableRow>& rows);
 
+/// What it comes to: the largest of all these errors, and the cases without an answer.
+struct TableVerdict {
+  double worst = 0;
+  std::string of{};             ///< "attitude, generic"
+  int answered = 0, cases = 0;
+
+  bool within(double error) const { return answered == cases && worst <= error; }
+};
+TableVerdict verdict_of(const std::vector<TableRow>& rows);
+/// "worst 6.1e-02 (attitude, generic), 8 of 49 cases answered"
+std::string verdict_text(const TableVerdict& verdict);
+
 }  // namespace rigor::studies
