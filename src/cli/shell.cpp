@@ -7,6 +7,8 @@
 #include <rigor/cli/texts.hpp>
 #include <rigor/scene/method_names.hpp>
 #include <rigor/scene/scene.hpp>
+#include <rigor/studies/contact.hpp>
+#include <rigor/studies/drift.hpp>
 #include <rigor/studies/plan.hpp>
 #include <rigor/studies/problem.hpp>
 
@@ -25,11 +27,18 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+Words problems() {
+  Words all = studies::problem_names();
+  for (const auto& problem : studies::contact_problems()) all.push_back(problem.name);
+  for (const auto& map : studies::maps()) all.push_back(map.name);
+  return all;
+}
+
 // What an option or argument can be, where that is a list: what the help says in words.
 Words values(const std::string& command, const std::string& option) {
   if (option == "SCENE") return builtin_scenes();
   if (option == "--method" || option == "--beside") return command == "run" ? scene_methods() : method_names();
-  if (option == "--problem") return studies::problem_names();
+  if (option == "--problem") return problems();
   if (command == "study" && option == "KIND") return studies::study_kinds();
   if (command == "export" && option == "WHAT") return {"kit", "autolab", "gradescope"};
   if (command == "shell" && option == "KIND") return {"bash", "zsh", "man"};

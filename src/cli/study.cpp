@@ -28,7 +28,6 @@ namespace fs = std::filesystem;
 struct Options {
   studies::StudyRequest request;
   std::string out, submission, command;
-  std::vector<std::string> sums;
   int jobs = 0;
   bool all_peers = false, resume = false, json = false, quiet = false;
 };
@@ -61,6 +60,21 @@ Outcome<std::vector<std::string>> write_all(const fs::path& dir, const std::vect
   return names;
 }
 
+// What lies in the way: a file a study would write over and did not write; "" when there is none.
+std::string not_of_a_study(const fs::path& dir) {
+  const std::pair<const char*, const char*> marks[] = {{"study.html", "rigor study"}, {"study.csv", "study,problem,method,"}, {"study.json", "\"rigor.study/"},
+                                                       {"README.md", "\nMade by `rigor study"}, {"cells.txt", "study="}};
+  const auto has = [](const fs::path& path, const char* mark) {
+    const auto text = read_file(path, 1u << 30);
+    return text && text->find(mark) != std::string::npos;
+  };
+  std::error_code none;
+  for (const auto& [name, mark] : marks)
+    if (fs::exists(dir / name, none) && !has(dir / name, mark)) return (dir / name).string();
+  if (!fs::exists(dir / "cells.txt", none) && fs::exists(dir / "figure-1.svg", none)) return (dir / "figure-1.svg").string();
+  return "";
+}
+
 // The peers whose programs are there; the others are told.
 std::vector<std::string> installed_peers() {
   std::vector<std::string> there;
@@ -74,13 +88,9 @@ std::vector<std::string> installed_peers() {
 int study_command(const Options& options) {
   studies::StudyRequest request = options.request;
   if (options.resume && options.out.empty()) return bad_input("--resume: needs --out, where the finished cells lie");
-  if (!options.sums.empty()) {
-    const auto has = [&](const char* word) { return std::find(options.sums.begin(), options.sums.end(), word) != options.sums.end(); };
-    request.plain_sums = has("plain");
-    request.carried_sums = has("carried");
-  }
-  if (options.all_peers)
-    for (const std::string& peer : installed_peers()) request.peers.push_back(peer);
+  if (options.all_peers && !request.peers.empty()) return bad_input("--peers and --peer: both choose the peers");
+  if (options.all_peers) request.peers = installed_peers();
+  if (options.all_peers && request.peers.empty()) return bad_input("--peers: none of them is installed");
   std::optional<studies::Student> student;
   if (!options.submission.empty()) {
     const auto made = studies::Student::make(options.submission);
@@ -90,7 +100,9 @@ int study_command(const Options& options) {
   }
   const auto cells = studies::plan(request);
   if (!cells) return bad_input(cells.fault().text());
-  if (!options.out.empty()) {  // before anything is measured: can it be written?
+  if (!options.out.empty()) {  // before anything is measured: can it be written, and over nothing but a study?
+    if (const auto theirs = not_of_a_study(options.out); !theirs.empty())
+      return bad_input("--out: " + theirs + " is there and no study wrote it; give another directory");
     std::string list;
     for (const studies::Cell& cell : *cells) list += cell.file() + "  " + cell.text() + "\n";
     if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return bad_input("--out: " + written.fault().text());
@@ -116,7 +128,7 @@ int study_command(const Options& options) {
     const auto written = write_all(options.out, *rows, page);
     if (!written) return bad_input("--out: " + written.fault().text());
     files = *written;
-    files.push_back("cells");
+    if (!rows->empty()) files.push_back("cells");
   }
   if (options.json) std::fputs(study_json(*rows, page.command).c_str(), stdout);
   else if (!options.quiet) {
@@ -155,9 +167,9 @@ void add_study(CLI::App& app, int& exit_status) {
   command->add_option("--rungs", r.rungs, "halvings of the step")->check(in_range(1, 24));
   command->add_option("--h", r.h, "these steps instead of a ladder")->delimiter(',')->check(in_range(1e-30, 1e30, "s"));
   command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers; 1e-15 is rounding")->delimiter(',')->check(in_range(1e-15, 0.1));
-  command->add_option("--steps", r.steps, "of drift")->check(in_range(1L, 1000000000L))->capture_default_str();
-  command->add_option("--step", r.step, "of drift")->check(in_range(1e-30, 1e30, "s"))->capture_default_str();
-  command->add_option("--sums", options->sums, "of drift: plain, carried; both by default")->delimiter(',')->check(one_of({"plain", "carried"}));
+  command->add_option("--steps", r.steps, "of drift; 1000000 by default")->check(in_range(1L, 1000000000L));
+  command->add_option("--step", r.step, "of drift; 0.01 s by default")->check(in_range(1e-30, 1e30, "s"));
+  command->add_option("--sums", r.sums, "of drift: plain, carried; both by default")->delimiter(',')->check(one_of({"plain", "carried"}));
   command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive");
   command->add_flag("--peers", options->all_peers, "other engines too: those whose programs are built");
   command->add_option("--peer", r.peers, "one of them by name: bullet, ode, mujoco, simbody, dart")->delimiter(',');
@@ -166,7 +178,14 @@ void add_study(CLI::App& app, int& exit_status) {
   command->add_flag("--resume", options->resume, "go on: take the cells whose files are there");
   command->add_flag("--json", options->json, "print study.json");
   command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
-  command->footer(fmt::format("Methods: {}\n\nProblems: {}\n\nExample:  rigor study convergence --problem short-A --method rk4 --out first", fmt::join(method_names(), ", "), fmt::join(studies::problem_names(), ", ")));
+  const auto names = [](const auto& all) {
+    std::string text;
+    for (const auto& one : all) text += (text.empty() ? "" : ", ") + one.name;
+    return text;
+  };
+  command->footer(fmt::format("Methods: {}\n\nAlso to fly: {}\n\nProblems of flight: {}; or a scene file with one cuboid\n\nProblems of contact: {}\n\nStability: the maps {}, or a flight\n\n"
+                              "Example:  rigor study convergence --problem short-A --method rk4 --out first",
+                              fmt::join(method_names(), ", "), names(studies::other_ways()), fmt::join(studies::problem_names(), ", "), names(studies::contact_problems()), names(studies::maps())));
   command->callback([options, command, &exit_status] {
     options->command = typed(*command);
     exit_status = study_command(*options);

@@ -36,7 +36,7 @@ std::string brief(double x, const char* format) {
 std::string Cell::text() const {
   std::string out = "study=" + study + " problem=" + problem + " method=" + method + " steps=" + std::to_string(steps) + " tolerance=" + digits(tolerance) +
                     " until=" + digits(until) + " x=" + digits(x) + " y=" + digits(y);
-  return out + (compensated ? " compensated" : "");
+  return out + (compensated ? " compensated" : "") + (content.empty() ? "" : " content=" + content);
 }
 std::string Cell::file() const {
   std::uint64_t hash = 14695981039346656037u;  // FNV-1a

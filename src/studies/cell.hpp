@@ -9,13 +9,14 @@ namespace rigor::studies {
 /// One run of a study, by description alone: the same description gives the same result (its times apart) on any machine.
 struct Cell {
   std::string study;      ///< "convergence", "work-precision", "drift", "stability", "contact"
-  std::string problem;    ///< of the catalogue, or a scene file
+  std::string problem;    ///< of the catalogue, or a scene file (then with `content`)
   std::string method;     ///< one of ours, "exact", "cvode-adams", "mujoco/rk4", "submission NAME HASH"
   long steps = 0;         ///< fixed-step methods; contact: steps in a second
   double tolerance = 0;   ///< adaptive ones
   double until = 0;       ///< s; 0: the problem's own end
   double x = 0, y = 0;    ///< what the study sweeps: its page says what they are
   bool compensated = false;  ///< drift: positions summed with a carry
+  std::string content{};  ///< of a scene file: Problem::content, by which an edited file is another cell
 
   bool timed() const { return study == "work-precision"; }
   /// "study=drift problem=case-A ...", every field, exact.

@@ -33,21 +33,38 @@ Ladder converge(const Problem& problem, const Method& method, long coarsest, int
   return ladder;
 }
 
-Fit fit_order(const std::vector<double>& h, const std::vector<double>& error) {
-  double floor = std::numeric_limits<double>::infinity();
+std::vector<Place> places(const std::vector<double>& h, const std::vector<double>& error, double margin, bool smooth) {
+  double smallest = std::numeric_limits<double>::infinity();
   for (const double e : error)
-    if (e > 0) floor = std::fmin(floor, e);
-  // above rounding (300 times what the ladder reached, where it reached rounding) and below the pre-asymptotic range
-  const double low = floor < 1e-12 ? 300 * floor : 0, high = 1e-1;
-  Fit fit{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+    if (e >= 0) smallest = std::fmin(smallest, e);
+  bool rounding = smallest < 1e-12;
+  for (std::size_t i = 1; i < error.size(); ++i) rounding = rounding || (error[i] < 1e-8 && std::log(error[i - 1] / error[i]) < 0.5 * std::log(h[i - 1] / h[i]));
+  const double floor = rounding ? margin * std::fmax(smallest, 0x1p-53) : 0;
+  std::vector<Place> all;
+  bool there = false;
+  for (const double e : error) {
+    there = there || e <= floor;
+    all.push_back(std::isnan(e) ? Place::failed : there ? Place::at_floor : e < 0.1 ? Place::used : Place::too_coarse);
+  }
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i] == Place::used) used.push_back(i);
+  const auto order = [&](std::size_t k) { return std::log(error[used[k - 1]] / error[used[k]]) / std::log(h[used[k - 1]] / h[used[k]]); };  // from run k - 1 to k
+  std::size_t settled = used.size();  // the runs from here on agree on the order
+  while (settled > 1 && std::fabs(order(settled - 1) - order(used.size() - 1)) <= 0.3) --settled;
+  if (smooth && settled > 0 && used.size() - settled >= 2)
+    for (std::size_t k = 0; k + 1 < settled; ++k) all[used[k]] = Place::too_coarse;
+  return all;
+}
+Fit fit_order(const std::vector<double>& h, const std::vector<double>& error, bool smooth) {
+  Fit fit{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0, 0};
+  const std::vector<Place> place = places(h, error, 300, smooth);
   double x = 0, y = 0, xx = 0, xy = 0;
   for (std::size_t i = 0; i < h.size(); ++i) {
-    if (!(error[i] > low && error[i] < high)) {
-      ++(error[i] <= low ? fit.at_floor : fit.too_coarse);
-      continue;
-    }
+    ++(place[i] == Place::used ? fit.used : place[i] == Place::at_floor ? fit.at_floor : place[i] == Place::failed ? fit.failed : fit.too_coarse);
+    if (place[i] != Place::used) continue;
     const double a = std::log2(h[i]), b = std::log2(error[i]);
-    ++fit.used, x += a, y += b, xx += a * a, xy += a * b;
+    x += a, y += b, xx += a * a, xy += a * b;
   }
   const double n = fit.used;
   if (fit.used >= 3) fit.order = (n * xy - x * y) / (n * xx - x * x);

@@ -30,12 +30,20 @@ State<double> integrate(const Problem& problem, const Method& method, long steps
 /// Halves the step `rungs` times from `coarsest` steps. Stops early when interrupted.
 Ladder converge(const Problem& problem, const Method& method, long coarsest, int rungs, int repeats = 1);
 
-/// Least-squares slope of log error against log h over the points in the asymptotic window; NaN with fewer than three.
+/// Where each run of a ladder, coarse to fine, lies. The ladder has come to rounding where its smallest error is below 1e-12,
+/// or where, below 1e-8, a finer step gains less than half an order. Then a run within `margin` times that smallest error (of u at
+/// least) is at the floor, and so is every finer one: roundings grow with the steps. Else an error of 0.1 and more is too coarse, and,
+/// where the finest three or more agree within 0.3 on the order from one to the next, so is what comes before them; not of errors that
+/// are not `smooth` in the step, as those through impacts are not.
+enum class Place { used, too_coarse, at_floor, failed };  ///< failed: the error is NaN
+std::vector<Place> places(const std::vector<double>& h, const std::vector<double>& error, double margin = 300, bool smooth = true);
+
+/// Least-squares slope of log error against log h over the points that are used; NaN with fewer than three.
 struct Fit {
   double order;
-  int used, too_coarse, at_floor;  ///< points: in the window, above 0.1, below 300 times the smallest where that is rounding
+  int used, too_coarse, at_floor, failed;  ///< points, by their place
 };
-Fit fit_order(const std::vector<double>& h, const std::vector<double>& error);
+Fit fit_order(const std::vector<double>& h, const std::vector<double>& error, bool smooth = true);
 double fitted_order(const std::vector<Run>& runs, int& used);
 
 /// Pairwise order, extrapolated value and grid convergence index of three systematically refined results (ASME V&V 20).

@@ -63,7 +63,7 @@ Drift drift_of(const Problem& problem, const Method& method, double h, long step
     if (compensated) m.state.p_WB = zero3<double>();
     m = method.step(problem.body, m, {}, h);
     const double energy = m.L_W.dot(m.state.w_WB) / 2 / E0, change = energy - last, skew = orthonormality_defect<double>(m.state.R_WB);
-    d.finite = std::isfinite(energy) && std::isfinite(skew);
+    d.finite = !left_the_numbers(energy) && std::isfinite(skew);
     if (!d.finite) break;
     last = energy;
     sum += change, squares += change * change;
@@ -108,13 +108,9 @@ Row drift(const Cell& cell) {
   Row row{cell, {}, "", ""};
   const Drift d = drift_of(**open_problem(cell.problem), *find_method(cell.method), cell.x, cell.steps, cell.compensated);
   if (!d.finite) row.failed = "left the numbers after " + std::to_string(d.steps) + " steps";
-  row.put("energy", d.energy);
-  row.put("energy_jitter", d.energy_jitter);
-  row.put("energy_rate", d.rate.value);
-  row.put("energy_rate_95", d.rate.half_width);
-  row.put("momentum", d.momentum);
-  row.put("orthonormality", d.orthonormality);
-  row.put("position", d.position);
+  const std::pair<const char*, double> seen[] = {{"energy", d.energy},     {"energy_jitter", d.energy_jitter},   {"energy_rate", d.rate.value}, {"energy_rate_95", d.rate.half_width},
+                                                 {"momentum", d.momentum}, {"orthonormality", d.orthonormality}, {"position", d.position}};
+  for (const auto& [name, value] : seen) row.put(name, d.finite ? value : std::nan(""));
   return row;
 }
 

@@ -21,9 +21,9 @@ struct Drift {
   long steps;
   double energy;            ///< worst |E/E0 − 1| of the rotation
   double energy_jitter;     ///< standard deviation of its change from one step to the next, over |E0|
-  double momentum;          ///< worst |L − L0|/|L0|
+  double momentum;          ///< worst |L − L0|/|L0| of L in world axes as the method carries it (Motion::L_W)
   double orthonormality;    ///< worst max|RᵀR − 1|
-  bool finite;              ///< false: a number stopped being finite on the way, the rest says what was seen until then
+  bool finite;              ///< false: after `steps` steps it left the numbers (`left_the_numbers`), the rest says what was seen until then
   double position = 0;      ///< worst distance of the centre from its straight line, over the way it has gone
   Slope rate{0, 0};         ///< of E/E0 a second, from the means of forty equal stretches
 };
@@ -36,7 +36,7 @@ Drift drift_of(const Problem& problem, const Method& method, double h, long step
 /// within a tenth. By bisection between 2⁻¹⁰ and 2⁶ rad on a grid of 2^(1/4); 0 when not even the smallest is stable.
 double stable_angle(const Problem& problem, const Method& method);
 
-/// A cell of "drift": `steps` steps of `x` s.
+/// A cell of "drift": `steps` steps of `x` s of a problem that `falls` and spins. One that fails has no number but NaN.
 Row drift(const Cell& cell);
 
 /// What a step does to a flight.
@@ -47,12 +47,14 @@ enum class Verdict { stable, inaccurate, unstable };
 ///   "aspect"  the aspect ratio of a cuboid 1 x 1.5 x y m that tumbles near its middle axis
 ///   "mass"    a stack: the mass of the upper of two cubes over that of the lower, let go in contact on a floor; `x` is the
 ///             step in s. Unstable: something flies off or falls through; inaccurate: an overlap above 1 cm
-/// A problem of the catalogue instead: its `stable_angle`.
+/// A problem that `falls` and spins instead: its `stable_angle`.
 Row stability(const Cell& cell);
 struct Map {
   std::string name, says, x, y;
   std::vector<double> xs, ys;
 };
 const std::vector<Map>& maps();
+/// nullptr when there is none of that name.
+const Map* find_map(const std::string& name);
 
 }  // namespace rigor::studies

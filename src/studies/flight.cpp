@@ -50,7 +50,7 @@ Outcome<Ended> dormand_prince(const Problem& p, double tolerance) {
 
 void put_errors(Row& row, const Problem& problem, const Ended& end) {
   const Errors e = errors_of(problem, end.state);
-  const bool finite = std::isfinite(e.attitude) && std::isfinite(e.position) && std::isfinite(e.momentum);
+  const bool finite = std::isfinite(e.attitude) && std::isfinite(e.position) && std::isfinite(e.momentum) && !left_the_numbers(e.energy);
   if (!finite) row.failed = "left the numbers";
   row.put("attitude", finite ? e.attitude : std::nan(""));
   row.put("momentum", finite ? e.momentum : std::nan(""));

@@ -13,7 +13,8 @@ StudyPage drift_page(const std::vector<Row>& rows) {
   for (const Group& problem : by_problem(rows)) {
     Section s = problem_section(problem.rows[0]->cell);
     s.text.push_back("The centre goes straight on at (0.3, -0.2, 0.1) m/s. The rate is the slope of the energy over forty equal stretches, with its interval of 95 %: a rate whose interval holds 0 is no drift. "
-                     "\"Carried\" sums the ways of the steps with the roundings carried along (Neumaier), \"plain\" as the method does.");
+                     "\"Carried\" sums the ways of the steps with the roundings carried along (Neumaier), \"plain\" as the method does. L is the method's own, in world axes: one that has it as its variable keeps it to the bit, "
+                     "whatever its attitude and spin make of it.");
     const Cell& c = problem.rows[0]->cell;
     Table t{std::to_string(c.steps) + " steps of " + digits(c.x) + " s",
             {"method", "sum", "worst |E/E0 - 1|", "jitter", "rate of E, 1/s", "+-", "worst |L - L0|/|L0|", "worst |R'R - 1|", "position, of the way"}, {}, 2};
@@ -31,9 +32,7 @@ StudyPage drift_page(const std::vector<Row>& rows) {
 StudyPage stability_page(const std::vector<Row>& rows) {
   StudyPage page{"Stability", "Where a method holds: + stable, o inaccurate, - unstable.", {}, ""};
   for (const Group& problem : by_problem(rows)) {
-    const Map* map = nullptr;
-    for (const Map& m : maps())
-      if (m.name == problem.name) map = &m;
+    const Map* map = find_map(problem.name);
     if (map == nullptr) {
       Section angles = problem_section(problem.rows[0]->cell);
       Table t{"largest step, as an angle, that 10000 steps survive with their energy within a tenth (0: none from 0.001 on)", {"method", "|w| h, rad"}, {}, 1};
@@ -88,7 +87,7 @@ StudyPage contact_page(const std::vector<Row>& rows) {
       if (p.name == problem.name) known = &p;
     Section s{problem.name, {known->says + ".", "Answer: " + known->answer + "."}, {}, {}, {}};
     report::Plot plot{"Worst error against step: " + problem.name, "step, s", "worst error of the sweep", true, true, {}};
-    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "unexplained, J", "impacts", ""}, {}, 1};
+    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "unexplained, J", "impacts"}, {}, 1};
     Table sweep{"error by " + known->x, {known->x}, {}, 1};
     std::vector<std::vector<double>> columns;
     for (const Group& method : by_method(problem.rows)) {
@@ -98,21 +97,19 @@ StudyPage contact_page(const std::vector<Row>& rows) {
         if (std::find(steps.begin(), steps.end(), row->cell.steps) == steps.end()) steps.push_back(row->cell.steps);
       for (const long n : steps) {
         double worst = 0, at = 0, ledger = 0, impacts = 0;
-        std::string failed;
         for (const Row* row : method.rows) {
           if (row->cell.steps != n) continue;
-          if (!row->failed.empty()) failed = row->failed;
-          if (!(row->at("error") <= worst)) worst = row->at("error"), at = row->cell.x;
+          if (!std::isnan(worst) && !(row->at("error") <= worst)) worst = row->at("error"), at = row->cell.x;  // one that failed is the worst
           ledger = std::fmax(ledger, row->at("unexplained_J"));
           impacts = std::fmax(impacts, row->at("impacts"));
         }
         t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), method.name.rfind("submission", 0) == 0 ? "" : brief(ledger),
-                          brief(impacts, "%.0f"), failed});
+                          brief(impacts, "%.0f")});
         if (n > 0) series.x.push_back(1 / double(n)), series.y.push_back(worst);
       }
       if (series.x.size() > 1) {
-        const double order = fit_order(series.x, series.y).order;
-        t.caption += "; " + method.name + (std::isnan(order) ? " has no order: too few errors below 0.1" : " is of order " + brief(order, "%.2f"));
+        const Fit fit = fit_order(series.x, series.y, false);
+        t.caption += "; " + method.name + (!std::isnan(fit.order) ? " is of order " + brief(fit.order, "%.2f") : fit.at_floor > 0 ? " has no order: it is at rounding" : " has no order: too few errors below 0.1");
         plot.series.push_back(series);
       }
       if (known->sweep.size() > 1) {

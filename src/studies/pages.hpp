@@ -24,6 +24,9 @@ std::vector<Group> by_method(const std::vector<const Row*>& rows);
 /// The problem statement of flights: equations, how the reference was made and its own error.
 Section problem_section(const Cell& cell);
 
+/// More than sixteen curves cover each other: all but `kept` and one of each family of methods are set aside.
+void set_aside(report::Plot& plot, const std::vector<std::string>& kept = {});
+
 /// Cheapest row of `rows` that reaches an attitude error, by median processor time; nullptr when none does.
 const Row* cheapest(const std::vector<const Row*>& rows, double error);
 bool of_a_peer(const Row& row);

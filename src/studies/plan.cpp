@@ -10,6 +10,7 @@
 #include <rigor/studies/flight.hpp>
 #include <rigor/studies/peer.hpp>
 #include <rigor/studies/plan.hpp>
+#include <set>
 
 namespace rigor::studies {
 namespace {
@@ -23,6 +24,51 @@ std::optional<Fault> unknown(const Names& asked, const Names& known, const std::
     if (std::find(known.begin(), known.end(), name) == known.end())
       return Fault{Kind::unknown_key, option, fmt::format("there is no {} '{}'{}; known: {}", what, name, did_you_mean(name, known), fmt::join(known, ", "))};
   return std::nullopt;
+}
+
+// What is asked for twice would be two groups of cells in one.
+std::optional<Fault> repeated(const Names& asked, const std::string& option) {
+  std::set<std::string> seen;
+  for (const std::string& name : asked)
+    if (!seen.insert(name).second) return Fault{Kind::out_of_range, option, "has " + name + " twice, must have it once"};
+  return std::nullopt;
+}
+
+// An option that the study would not look at.
+std::optional<Fault> without_effect(const StudyRequest& r) {
+  const Names flight{"convergence", "work-precision"}, by_step{"convergence", "work-precision", "contact"}, drift{"drift"};
+  const struct {
+    const char* name;
+    bool given;
+    const Names& studies;
+  } options[] = {{"--until", r.until.has_value(), flight},          {"--h", !r.h.empty(), flight},
+                 {"--tolerance", !r.tolerances.empty(), flight},    {"--peer", !r.peers.empty(), flight},
+                 {"--submission", !r.submission.empty(), by_step},  {"--coarsest", r.coarsest.has_value(), by_step},
+                 {"--rungs", r.rungs.has_value(), by_step},         {"--steps", r.steps.has_value(), drift},
+                 {"--step", r.step.has_value(), drift},             {"--sums", !r.sums.empty(), drift}};
+  for (const auto& option : options)
+    if (option.given && std::find(option.studies.begin(), option.studies.end(), r.kind) == option.studies.end())
+      return Fault{Kind::unsupported, option.name, fmt::format("is for {}, not for {}", fmt::join(option.studies, ", "), r.kind)};
+  if (!r.h.empty() && (r.coarsest || r.rungs)) return Fault{Kind::unsupported, r.coarsest ? "--coarsest" : "--rungs", "is of a ladder, --h names the steps: only one of the two"};
+  return std::nullopt;
+}
+std::optional<Fault> without_effect(const StudyRequest& r, const std::vector<Cell>& cells) {
+  const bool by_step = std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return c.steps > 0; }), by_tolerance = std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return c.tolerance > 0; });
+  for (const auto& [option, given] : {std::pair{"--h", !r.h.empty()}, {"--coarsest", r.coarsest.has_value()}, {"--rungs", r.rungs.has_value()}})
+    if (given && !by_step) return Fault{Kind::unsupported, option, "is for ways that take steps: none of those asked for does"};
+  if (!r.tolerances.empty() && !by_tolerance) return Fault{Kind::unsupported, "--tolerance", "is for adaptive ways and peers: none of those asked for is one"};
+  return std::nullopt;
+}
+
+Outcome<const Problem*> opened(const std::string& name, double until = 0) {
+  const auto problem = open_problem(name, until);
+  if (problem) return problem;
+  const Fault& fault = problem.fault();
+  return Fault{fault.kind, fault.where == "until" ? "--until" : fault.where == "problem" ? "--problem" : fault.where, fault.what};
+}
+// Why a problem with a load cannot be asked of somebody who knows gravity alone.
+Fault loaded(const std::string& problem, const std::string& who) {
+  return {Kind::unsupported, "--problem", fmt::format("is {}, which has a load that is not gravity alone: {}; without: {}, a scene file", problem, who, fmt::join(free_flight_names(), ", "))};
 }
 
 // ---- flights
@@ -48,6 +94,9 @@ Outcome<std::vector<long>> steps_of(const StudyRequest& r, const Problem& proble
                                                   digits(problem.until) + "/" + digits(std::fmax(1, std::floor(std::fmin(n, 1e10)))) + " does"};
     steps.push_back(std::lround(n));
   }
+  std::sort(steps.begin(), steps.end());
+  if (const auto twice = std::adjacent_find(steps.begin(), steps.end()); twice != steps.end())
+    return Fault{Kind::out_of_range, "--h", "has " + digits(problem.until / double(*twice)) + " s twice, must have it once"};
   return steps;
 }
 std::vector<double> tolerances_of(const StudyRequest& r) {
@@ -72,24 +121,34 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
     if (!found) return found.fault();
     variants.insert(variants.end(), found->begin(), found->end());
   }
+  Names problems = timed ? Names{"case-A", "case-B", "case-C"} : Names{"short-A", "case-A", "thrown"};
+  if (!timed && r.submission.empty() && variants.empty()) problems.push_back("forced");
   std::vector<Cell> cells;
-  for (const std::string& name : chosen(r.problems, timed ? Names{"case-A", "case-B", "case-C"} : Names{"short-A", "case-A", "thrown", "forced"})) {
-    const auto opened = open_problem(name, r.until.value_or(0));
-    if (!opened) return Fault{opened.fault().kind, opened.fault().where == "until" ? "--until" : opened.fault().where == "problem" ? "--problem" : opened.fault().where, opened.fault().what};
-    const Problem& problem = **opened;
+  for (const std::string& name : chosen(r.problems, problems)) {
+    const auto found = opened(name, r.until.value_or(0));
+    if (!found) return found.fault();
+    const Problem& problem = **found;
+    if (!problem.falls && !r.submission.empty()) return loaded(name, "a submission is not asked for it");
+    if (!problem.falls && !variants.empty()) return loaded(name, "peers are not asked for it");
+    const auto put = [&](const std::string& method, long steps, double tolerance) { cells.push_back({r.kind, name, method, steps, tolerance, r.until.value_or(0), 0, 0, false, problem.content}); };
     const auto add = [&](const std::string& method, const std::vector<long>& steps) {
-      for (const long n : steps) cells.push_back({r.kind, name, method, n, 0, r.until.value_or(0)});
+      for (const long n : steps) put(method, n, 0);
     };
     const auto add_tolerances = [&](const std::string& method, double least) {
       for (const double tolerance : tolerances_of(r))
-        if (tolerance >= least || !r.tolerances.empty()) cells.push_back({r.kind, name, method, 0, tolerance, r.until.value_or(0)});
+        if (tolerance >= least || !r.tolerances.empty()) put(method, 0, tolerance);
     };
     Names used = chosen(r.methods, standard);
     if (r.methods.empty() && !problem.falls)  // on free flight they have no error to study
       for (const Method& m : flow_methods())
         if (std::find(used.begin(), used.end(), m.name) == used.end()) used.emplace_back(m.name);
-    if (r.methods.empty() && !problem.falls)  // these know free flight alone: every run of theirs would fail
-      for (const char* free : {"exact-plain", "cvode-adams", "arkode-fehlberg8"}) used.erase(std::remove(used.begin(), used.end(), free), used.end());
+    if (!problem.falls)
+      for (const char* free : {"exact-plain", "cvode-adams", "cvode-bdf", "arkode-fehlberg8"}) {
+        const auto it = std::find(used.begin(), used.end(), free);
+        if (it == used.end()) continue;
+        if (!r.methods.empty()) return loaded(name, std::string(free) + " knows no other");
+        used.erase(it);
+      }
     for (const std::string& method : used) {
       const OtherWay* way = find_other_way(method);
       const Method* stepper = find_stepper(method);
@@ -100,7 +159,7 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
       } else if (way->adaptive) {
         add_tolerances(method, 1e-14);
       } else {
-        cells.push_back({r.kind, name, method, 0, 0, r.until.value_or(0)});
+        put(method, 0, 0);
       }
     }
     if (!r.submission.empty()) {
@@ -129,16 +188,26 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
 
 // ---- the others
 
+// The free flight of a problem, for studies that leave its centre out: it must turn.
+Outcome<const Problem*> spinning(const std::string& name, const std::string& study) {
+  const auto problem = opened(name);
+  if (!problem) return problem;
+  if (!(*problem)->falls) return loaded(name, study + " would leave it out");
+  if ((*problem)->start.w_WB.isZero(0)) return Fault{Kind::out_of_range, "--problem", "is " + name + ", whose spin is 0: " + study + " is relative to its energy"};
+  return problem;
+}
 Outcome<std::vector<Cell>> drifts(const StudyRequest& r) {
   if (const auto fault = unknown(r.methods, method_names(), "--method", "method")) return *fault;
-  if (!(r.step > 0) || std::isinf(r.step)) return Fault{Kind::out_of_range, "--step", "is " + digits(r.step) + ", must be > 0 s"};
+  const Names sums{"plain", "carried"};
+  if (const auto fault = unknown(r.sums, sums, "--sums", "sum")) return *fault;
+  const double step = r.step.value_or(0.01);
+  if (!(step > 0) || std::isinf(step)) return Fault{Kind::out_of_range, "--step", "is " + digits(step) + ", must be > 0 s"};
   std::vector<Cell> cells;
   for (const std::string& name : chosen(r.problems, {"case-A"})) {
-    const auto opened = open_problem(name);
-    if (!opened) return Fault{opened.fault().kind, "--problem", opened.fault().what};
+    const auto problem = spinning(name, "drift");
+    if (!problem) return problem.fault();
     for (const std::string& method : chosen(r.methods, method_names()))
-      for (const bool carried : {false, true})
-        if (carried ? r.carried_sums : r.plain_sums) cells.push_back({"drift", name, method, r.steps, 0, 0, r.step, 0, carried});
+      for (const std::string& sum : chosen(r.sums, sums)) cells.push_back({"drift", name, method, r.steps.value_or(1000000), 0, 0, step, 0, sum == "carried", (*problem)->content});
   }
   return cells;
 }
@@ -146,16 +215,24 @@ Outcome<std::vector<Cell>> stabilities(const StudyRequest& r) {
   if (const auto fault = unknown(r.methods, method_names(), "--method", "method")) return *fault;
   Names known = problem_names();
   for (const Map& map : maps()) known.push_back(map.name);
-  if (const auto fault = unknown(r.problems, known, "--problem", "map or problem")) return *fault;
   std::vector<Cell> cells;
-  for (const std::string& name : chosen(r.problems, {"case-A", "spin", "aspect", "mass"}))
-    for (const std::string& method : chosen(r.methods, method_names())) {
-      if (find_problem(name) != nullptr) cells.push_back({"stability", name, method});
-      for (const Map& map : maps())
-        if (map.name == name)
-          for (const double x : map.xs)
-            for (const double y : map.ys) cells.push_back({"stability", name, method, 10000, 0, 0, x, y});
+  for (const std::string& name : chosen(r.problems, {"case-A", "spin", "aspect", "mass"})) {
+    const Map* map = find_map(name);
+    if (map == nullptr && !name.ends_with(".json"))
+      if (const auto fault = unknown({name}, known, "--problem", "map or problem")) return *fault;
+    std::string content;
+    if (map == nullptr) {
+      const auto problem = spinning(name, "stability");
+      if (!problem) return problem.fault();
+      content = (*problem)->content;
     }
+    for (const std::string& method : chosen(r.methods, method_names())) {
+      if (map == nullptr) cells.push_back({"stability", name, method, 0, 0, 0, 0, 0, false, content});
+      else
+        for (const double x : map->xs)
+          for (const double y : map->ys) cells.push_back({"stability", name, method, 10000, 0, 0, x, y});
+    }
+  }
   return cells;
 }
 Outcome<std::vector<Cell>> contacts(const StudyRequest& r) {
@@ -192,19 +269,18 @@ const std::vector<std::string>& study_kinds() {
 
 Outcome<std::vector<Cell>> plan(const StudyRequest& r) {
   if (const auto fault = unknown({r.kind}, study_kinds(), "", "study")) return *fault;
-  const bool flight = r.kind == "convergence" || r.kind == "work-precision";
-  const auto refuse = [&](const char* option) { return Fault{Kind::unsupported, option, "is for convergence and work-precision, not for " + r.kind}; };
-  if (!flight && r.until) return refuse("--until");
-  if (!flight && !r.h.empty()) return refuse("--h");
-  if (!flight && !r.tolerances.empty()) return refuse("--tolerance");
-  if (!flight && !r.peers.empty()) return refuse("--peers");
-  if (!flight && r.kind != "contact" && !r.submission.empty()) return Fault{Kind::unsupported, "--submission", "is for convergence, work-precision and contact, not for " + r.kind};
+  if (const auto fault = without_effect(r)) return *fault;
+  Names tolerances;
+  for (const double t : r.tolerances) tolerances.push_back(digits(t));
+  for (const auto& [option, names] : {std::pair{"--problem", r.problems}, {"--method", r.methods}, {"--peer", r.peers}, {"--sums", r.sums}, {"--tolerance", tolerances}})
+    if (const auto fault = repeated(names, option)) return *fault;
   if (r.until && !(*r.until > 0 && *r.until <= 1e4)) return Fault{Kind::out_of_range, "--until", "is " + digits(*r.until) + ", must be > 0 and at most 10000 s"};
   for (const double t : r.tolerances)
     if (!(t >= 1e-15 && t <= 0.1)) return Fault{Kind::out_of_range, "--tolerance", "is " + digits(t) + (t < 1e-15 ? ", below rounding" : "") + "; must be in [1e-15, 0.1]"};
-  if (flight) return flights(r);
-  if (r.kind == "drift") return drifts(r);
-  return r.kind == "stability" ? stabilities(r) : contacts(r);
+  const auto cells = r.kind == "drift" ? drifts(r) : r.kind == "stability" ? stabilities(r) : r.kind == "contact" ? contacts(r) : flights(r);
+  if (!cells) return cells;
+  if (const auto fault = without_effect(r, *cells)) return *fault;
+  return cells;
 }
 
 }  // namespace rigor::studies

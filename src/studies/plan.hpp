@@ -15,16 +15,16 @@ struct StudyRequest {
   std::optional<int> rungs{};
   std::vector<double> h{};                ///< s: these steps instead of a ladder
   std::vector<double> tolerances{};       ///< of adaptive ways and peers
-  long steps = 1000000;                 ///< of drift
-  double step = 0.01;                   ///< of drift, s
-  bool plain_sums = true, carried_sums = true;  ///< of drift
+  std::optional<long> steps{};            ///< of drift; 1000000
+  std::optional<double> step{};           ///< of drift, s; 0.01
+  std::vector<std::string> sums{};        ///< of drift: "plain", "carried"; both
 };
 
 const std::vector<std::string>& study_kinds();
 
 /// The cells of a study. Opens the problems. Faults name the option: unknown_key (kind, problem, method, peer; with a
-/// suggestion), out_of_range (T, steps that do not divide it, a tolerance below rounding), unsupported (a peer that is not
-/// installed, a problem that is not of this study).
+/// suggestion), out_of_range (T, steps that do not divide it, a tolerance below rounding, a name or number that is there twice), unsupported (a peer that
+/// is not installed, a problem or an option that is not of this study or not of what is asked to fly).
 Outcome<std::vector<Cell>> plan(const StudyRequest& request);
 
 }  // namespace rigor::studies

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <rigor/base/outcome.hpp>
@@ -20,12 +21,15 @@ struct Problem {
   State<double> end;       ///< the reference at `until`
   /// No torque and this constant acceleration, m/s²: what exact flight and other engines can be asked for. Else nothing.
   std::optional<Vec3<double>> falls = std::nullopt;
+  std::string content{};   ///< of a scene file: a hash of body, start, gravity and T as they were read; "" in the catalogue
 
   Load load_at(double t, const State<double>& s) const { return load ? load(t, s) : Load{}; }
 };
 
 /// The catalogue: free flights, the public box, a thrown body, forced bodies.
 std::vector<std::string> problem_names();
+/// Those of them that `falls`.
+std::vector<std::string> free_flight_names();
 /// nullptr when there is none of that name. The reference is computed at the first call (up to a second). From any thread.
 const Problem* find_problem(const std::string& name);
 
@@ -44,6 +48,9 @@ struct Errors {
   double energy;    ///< relative to the kinetic energy at the start or the end
   double position;  ///< m
 };
+/// Whether an energy is no number any more, or above 2^53 times the one it should be: that one is then lost in its roundings.
+inline bool left_the_numbers(double relative_energy) { return !(std::fabs(relative_energy) <= 0x1p53); }
+
 Errors errors_of(const Problem& problem, const State<double>& end);
 
 }  // namespace rigor::studies

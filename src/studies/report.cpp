@@ -36,14 +36,17 @@ constexpr std::size_t terminal = 80;
 std::string columns_text(const Table& t) {
   const std::size_t margin = 4;
   std::vector<std::size_t> widths;
-  std::size_t all = margin;
+  std::size_t all = margin, left = margin, widest = 0;  // left: of the words; widest: of the numbers
   for (std::size_t i = 0; i < t.header.size(); ++i) {
     std::size_t w = report::columns(t.header[i]);
     for (const auto& row : t.rows) w = std::max(w, i < row.size() ? report::columns(row[i]) : 0);
     widths.push_back(w);
     all += w + 1;
+    if (i < t.words) left += w + 2;
+    else widest = std::max(widest, w);
   }
-  if (t.words >= t.header.size() && all > terminal) {  // sentences: an item a row
+  const bool in_a_line = all <= terminal + 1;
+  if (!in_a_line && left + widest > terminal) {  // sentences, or names that leave no room: an item a row
     std::string items;
     for (const auto& row : t.rows) {
       std::string item = "- ";
@@ -52,7 +55,7 @@ std::string columns_text(const Table& t) {
     }
     return report::filled(items, terminal, margin);
   }
-  const std::size_t gap = all <= terminal + 1 && all + widths.size() > terminal + 2 ? 1 : 2, words = std::min(t.words, widths.size());
+  const std::size_t gap = in_a_line && all + widths.size() > terminal + 2 ? 1 : 2, words = std::min(t.words, widths.size());
   std::string out;
   for (std::size_t first = words, last; first < widths.size() || first == words; first = last) {
     std::size_t used = margin;
@@ -71,6 +74,10 @@ std::string columns_text(const Table& t) {
     if (first == last) break;  // words alone
   }
   return out;
+}
+
+std::ptrdiff_t aside(const report::Plot& plot) {
+  return std::count_if(plot.series.begin(), plot.series.end(), [](const report::Series& s) { return s.aside; });
 }
 
 std::string cell_markdown(const std::string& text) {
@@ -102,7 +109,7 @@ std::string page_html(const StudyPage& page) {
       for (const std::string& line : s.equations) out.body += escape(line) + "\n";
       out.body += "</pre>";
     }
-    for (const report::Plot& plot : s.plots) out.body += report::figure(plot, escape(plot.title));
+    for (const report::Plot& plot : s.plots) out.body += report::figure(plot, escape(plot.title) + (aside(plot) > 0 ? "; " + std::to_string(aside(plot)) + " more curves by a click on their names" : ""));
     for (const Table& t : s.tables) {
       std::vector<std::size_t> numbers;
       for (std::size_t i = t.words; i < t.header.size(); ++i) numbers.push_back(i);
@@ -127,7 +134,7 @@ std::string page_markdown(const StudyPage& page) {
       for (const std::string& line : s.equations) out += line + "\n";
       out += "```\n";
     }
-    for (const report::Plot& plot : s.plots) out += "\n![" + plot.title + "](figure-" + std::to_string(++figure) + ".svg)\n";
+    for (const report::Plot& plot : s.plots) out += "\n![" + plot.title + "](figure-" + std::to_string(++figure) + ".svg)\n" + (aside(plot) > 0 ? "\n" + std::to_string(aside(plot)) + " more curves can be switched on in study.html.\n" : "");
     for (const Table& t : s.tables) {
       if (t.every_run) continue;
       out += "\n" + t.caption + "\n\n|";

@@ -67,10 +67,16 @@ const std::vector<Map>& maps() {
   return all;
 }
 
+const Map* find_map(const std::string& name) {
+  for (const Map& map : maps())
+    if (map.name == name) return &map;
+  return nullptr;
+}
+
 Row stability(const Cell& cell) {
   Row row{cell, {}, "", ""};
-  if (find_problem(cell.problem) != nullptr) row.put("angle", stable_angle(*find_problem(cell.problem), *find_method(cell.method)));
-  else row.put("verdict", double(cell.problem == "mass" ? of_stack(cell) : of_flight(cell)));
+  if (find_map(cell.problem) != nullptr) row.put("verdict", double(cell.problem == "mass" ? of_stack(cell) : of_flight(cell)));
+  else row.put("angle", stable_angle(**open_problem(cell.problem), *find_method(cell.method)));
   return row;
 }
 

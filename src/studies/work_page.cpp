@@ -111,10 +111,12 @@ StudyPage work_page(const std::vector<Row>& rows) {
       plot.series.push_back(series);
     }
     report::Series front{"front", {}, {}, true, false};
-    for (const Row* row : front_of(problem.rows)) front.x.push_back(row->at("attitude")), front.y.push_back(row->at("cpu_median"));
+    std::vector<std::string> on_front;
+    for (const Row* row : front_of(problem.rows)) front.x.push_back(row->at("attitude")), front.y.push_back(row->at("cpu_median")), on_front.push_back(row->cell.method);
+    set_aside(plot, on_front);
     report::Plot efficiency{"The efficiency front: nothing cheaper is as accurate: " + problem.name, plot.x_label, plot.y_label, true, true, {front}};
     for (const report::Series& series : plot.series)
-      if (series.name == "sheet" || series.name == "rk4" || series.dashed) efficiency.series.push_back(series);
+      if (series.name == "sheet" || series.name == "rk4" || series.dashed) efficiency.series.push_back(series), efficiency.series.back().aside = false;
     s.plots = {plot, efficiency};
     s.tables = {choices(problem.rows, peers), reach, costs(problem.rows, (*open_problem(problem.name, problem.rows[0]->cell.until))->until), all};
     page.sections.push_back(s);

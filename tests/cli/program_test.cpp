@@ -67,6 +67,8 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
     const std::string help = rigor_says(std::string(command) + " --help").text;
     for (const char* method : {"sheet", "rk4", "split2-kahan-li8"}) EXPECT_TRUE(contains(help, method)) << command << " " << method;
   }
+  const std::string study = rigor_says("study --help").text;
+  for (const char* name : {"case-A", "forced", "p-01-many", "fr-04", "maps spin, aspect, mass", "cvode-adams"}) EXPECT_TRUE(contains(study, name)) << name;
 }
 
 TEST_F(Program, FitsEightyColumnsWhenItRunsAScene) {
@@ -114,6 +116,16 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"study convergence --peer jolt", "is none of the peers"},
       {"study convergence --submission /nowhere", "--submission: /nowhere"},
       {"study convergence --resume", "needs --out"},
+      {"study drift --problem f-01", "--problem is f-01, which has a load that is not gravity alone: drift would leave it out; without: case-A, "},
+      {"study convergence --method rk4,rk4", "--method has rk4 twice, must have it once"},
+      {"study convergence --steps 5", "--steps is for drift, not for convergence"},
+      {"study convergence --h 0.1 --rungs 3", "--rungs is of a ladder, --h names the steps"},
+      {"study convergence --peers --peer ode", "--peers and --peer: both choose the peers"},
+      {"study convergence --problem forced --submission " RIGOR_SOURCE_DIR "/tests/submissions/right/polar", "a submission is not asked for it"},
+      {"check-table --write /proc/x", "--write: /proc/x cannot be written"},
+      {"check-table mine.csv --write x", "--write: makes all tables anew"},
+      {"check-table --within 1e-9", "--within: needs FILE"},
+      {"check-table mine.csv --within 0", "--within is 0, must be in [1e-16, 1]"},
       {"study drift --step -1", "--step is -1, must be in [1e-30, 1e30] s"},
       {"grade", "a submission directory is missing"},
       {"grade /nowhere", "/nowhere"},
@@ -261,6 +273,76 @@ TEST_F(Program, StudiesWriteNothingWhereTheyCannotAndEverythingWhereTheyCan) {
   EXPECT_EQ(std::distance(fs::directory_iterator(dir / "study" / "cells"), fs::directory_iterator()), 8);
   EXPECT_EQ(rigor_says(asks + (dir / "study").string() + " --resume").status, 0);
   EXPECT_TRUE(contains(*read_file(dir / "study" / "README.md"), "Made by `rigor study convergence --problem short-A --method sheet,rk4 --rungs 4`"));
+}
+
+// A directory with somebody's README.md stays as it is, and nothing is measured; what a study wrote, the next one may write over.
+TEST_F(Program, StudiesWriteOverNothingThatNoStudyWrote) {
+  const std::string asks = "study drift --method rk4 --steps 1000000000 --out ", own = "# My own notes";
+  for (const char* name : {"README.md", "study.csv", "study.html", "study.json", "cells.txt", "figure-1.svg"}) {
+    const std::string theirs = file(std::string("theirs-") + name + "/" + name, own), place = fs::path(theirs).parent_path().string();
+    const Ran ran = rigor_says(asks + place);
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(ran.text, "rigor study: --out: " + theirs + " is there and no study wrote it; give another directory\n");
+    EXPECT_EQ(*read_file(theirs), own);
+    EXPECT_EQ(std::distance(fs::directory_iterator(place), fs::directory_iterator()), 1);
+  }
+  const std::string twice = "study convergence --problem short-A --method sheet --rungs 3 --quiet --out " + (dir / "ours").string();
+  EXPECT_EQ(rigor_says(twice).status, 0);
+  EXPECT_EQ(rigor_says(twice).text, "");
+}
+
+// --resume takes no cell of a scene file or a submission that has changed since.
+TEST_F(Program, StudiesMeasureAnewWhatWasEdited) {
+  const auto scene = [&](const char* spin) {
+    return file("flight.json", std::string("{\"cuboids\": [{\"mass\": 2, \"size\": [1, 2, 3], \"position\": [0, 0, 0], \"spin\": [") + spin + "]}], \"until\": 1}");
+  };
+  const auto csv = [&](const std::string& asks, const char* name, const char* more) {
+    const Ran ran = rigor_says(asks + " --quiet --out " + (dir / name).string() + more);
+    EXPECT_EQ(ran.text, "");
+    return *read_file(dir / name / "study.csv");
+  };
+  const std::string flight = "study convergence --problem " + scene("0.3, 2, 0.2") + " --method rk4 --rungs 3";
+  const std::string before = csv(flight, "a", "");
+  EXPECT_EQ(csv(flight, "a", " --resume"), before);
+  scene("0.3, 2.5, 0.2");
+  const std::string after = csv(flight, "a", " --resume");
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after, csv(flight, "b", ""));
+  const auto cells = [&](const char* name) { return std::distance(fs::directory_iterator(dir / name / "cells"), fs::directory_iterator()); };
+  EXPECT_EQ(cells("a"), 6);
+
+  fs::copy(fs::path(RIGOR_SOURCE_DIR) / "tests/submissions/right/polar", dir / "ada");
+  const std::string ada = "study convergence --problem short-A --method rk4 --rungs 3 --submission " + (dir / "ada").string();
+  csv(ada, "c", "");
+  EXPECT_EQ(cells("c"), 6);
+  const fs::path code = dir / "ada" / "Cuboid.cpp";
+  EXPECT_TRUE(write_file(code, *read_file(code) + "// one more line\n"));
+  csv(ada, "c", " --resume");
+  EXPECT_EQ(cells("c"), 9);
+}
+
+// The verdict over a whole table, as the user of another engine asks for it.
+TEST_F(Program, ChecksATableToAThreshold) {
+  const auto table = [](const char* name) { return RIGOR_SOURCE_DIR "/reference/tables/" + std::string(name) + ".csv"; };  // its own answers
+  const Ran right = rigor_says("check-table " + table("free-flight") + " --within 1e-14");
+  EXPECT_EQ(right.status, 0) << right.text;
+  EXPECT_TRUE(contains(right.text, "\nwithin 1e-14: worst ") && contains(right.text, ", 49 of 49 cases answered\n")) << right.text;
+  std::string text = *read_file(table("impacts"));
+  const std::string some = file("some.csv", text.substr(0, text.find("\nlong-1,") + 1));
+  const Ran partly = rigor_says("check-table " + some + " --table impacts --within 1e-9");
+  EXPECT_EQ(partly.status, 1);
+  EXPECT_TRUE(contains(partly.text, "\nnot within 1e-09: worst ") && contains(partly.text, ", 12 of 24 cases answered\n")) << partly.text;
+  EXPECT_EQ(rigor_says("check-table " + some + " --table impacts").status, 0);
+  const Ran other = rigor_says("check-table " + table("loaded-flight"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_TRUE(contains(other.text, "there is no case 'axial-1'") && contains(other.text, "; it fits --table loaded-flight\n")) << other.text;
+  const Ran like = rigor_says("check-table " + some);  // its cases have names that the other table has too
+  EXPECT_TRUE(contains(like.text, "some.csv fits --table impacts better\n")) << like.text;
+  for (const char* name : {"free-flight", "loaded-flight", "impacts"}) {
+    const Ran whole = rigor_says("check-table " + table(name) + " --within 1e-9 --table " + name);
+    EXPECT_EQ(whole.status, 0);
+    expect_eighty_columns(whole.text);
+  }
 }
 
 TEST_F(Program, SaysInOneLineWhichFlagItDoesNotKnow) {

@@ -48,6 +48,8 @@ TEST_F(Shell, BashOffersCommandsOptionsAndValues) {
   EXPECT_EQ(offered("study \"\""), "contact convergence drift stability work-precision ");
   EXPECT_EQ(offered("export \"\""), "autolab gradescope kit ");
   EXPECT_EQ(offered("study drift --problem short"), "short-A ");
+  EXPECT_EQ(offered("study contact --problem p-0"), "p-01-many p-01-one p-04 p-07 ");
+  EXPECT_EQ(offered("study stability --problem asp"), "aspect ");
   EXPECT_EQ(offered("explain force.tor"), "force.torque ");
   EXPECT_EQ(offered("run --out x"), " ") << "files, which bash offers itself";
   EXPECT_EQ(offered("nonsense x"), " ");

@@ -45,6 +45,26 @@ TEST(FittedOrder, LeavesOutRoundingAndWhatIsNotAsymptotic) {
   EXPECT_TRUE(std::isnan(fitted_order({runs[0], runs[1]}, used)));
 }
 
+// Errors of a ladder of halvings: rounding is found by its size or by its flatness, and what is finer than it counts with it.
+TEST(Places, OfALadderThatComesToRounding) {
+  using enum Place;
+  const auto of = [](const std::vector<double>& error) {
+    std::vector<double> h;
+    for (std::size_t k = 0; k < error.size(); ++k) h.push_back(std::ldexp(1, -int(k)));
+    return places(h, error);
+  };
+  EXPECT_EQ(of({0.5, 1e-2, 5e-3, 2.5e-3}), (std::vector<Place>{too_coarse, used, used, used}));
+  EXPECT_EQ(of({1e-2, 1e-5, 2e-13, 1e-15}), (std::vector<Place>{used, used, at_floor, at_floor}));           // 300 times 1e-15
+  EXPECT_EQ(of({1e-6, 3e-8, 1e-9, 1e-12, 2e-12, 9e-10}), (std::vector<Place>{used, used, used, at_floor, at_floor, at_floor}));  // flat at 1e-12
+  EXPECT_EQ(of({1e-16, 2e-16, 5e-15, 1e-12}), (std::vector<Place>(4, at_floor)));                            // rounding that grows with the steps
+  EXPECT_EQ(of({0, 0, 0}), (std::vector<Place>(3, at_floor)));
+  EXPECT_EQ(of({NAN, 0.2, 1e-3, NAN}), (std::vector<Place>{failed, too_coarse, used, failed}));
+  EXPECT_EQ(of({8e-2, 3e-2, 2.8e-2, 7e-3, 1.75e-3, 4.375e-4}), (std::vector<Place>{too_coarse, too_coarse, used, used, used, used}));  // of order 2 from the third on
+  EXPECT_EQ(places({8, 4, 2, 1}, {8e-2, 2e-2, 1e-2, 5e-3}, 300, false), (std::vector<Place>(4, used)));      // errors of impacts
+  EXPECT_EQ(of({6e-2, 1e-2, 5e-3, 1e-3}), (std::vector<Place>(4, used)));                                    // never settled: all that there is
+  EXPECT_EQ(of({1e-3, 9.9e-4, 9.8e-4}), (std::vector<Place>(3, used)));                                      // flat, but not at rounding: no order is seen, and said
+}
+
 TEST(Problems, HaveAReferenceThatKeepsWhatThePhysicsKeeps) {
   for (const std::string& name : problem_names()) {
     const Problem& p = *find_problem(name);

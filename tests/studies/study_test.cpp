@@ -1,4 +1,4 @@
-// Studies as a whole: cells, plans and pages.
+// Studies as a whole: their cells, and what a cell gives.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -98,55 +98,6 @@ TEST_F(Cells, SayWhenTheyCannotBeWritten) {
   const auto rows = run_cells(*plan(small()), measure, never_alone, {2, dir});
   ASSERT_FALSE(rows);
   EXPECT_EQ(rows.fault().kind, Fault::Kind::unwritable);
-}
-
-// Under a torque the standard set has none of the ways that know free flight alone; on free flight it has them.
-TEST(Plan, LeavesOutWhatKnowsNoTorque) {
-  for (const char* problem : {"forced", "short-A"}) {
-    StudyRequest r{"work-precision", {problem}, {}};
-    std::set<std::string> used;
-    const auto cells = plan(r);
-    ASSERT_TRUE(cells);
-    for (const Cell& cell : *cells) used.insert(cell.method);
-    for (const char* free : {"exact-plain", "cvode-adams", "arkode-fehlberg8"}) EXPECT_EQ(used.count(free), r.problems[0] == "short-A" ? 1u : 0u) << free;
-    EXPECT_EQ(used.count("dormand-prince-adaptive"), 1u);
-  }
-}
-
-TEST(Plan, RefusesWhatCannotBeStudied) {
-  const auto says = [](auto change) {
-    StudyRequest r = small();
-    change(r);
-    const auto cells = plan(r);
-    return cells ? std::string("planned") : cells.fault().text();
-  };
-  const auto contains = [](const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text; };
-  contains(says([](StudyRequest& r) { r.kind = "convergnce"; }), "did you mean 'convergence'?");
-  contains(says([](StudyRequest& r) { r.problems = {"case-D"}; }), "did you mean 'case-A'?");
-  contains(says([](StudyRequest& r) { r.methods = {"rk5"}; }), "did you mean 'rk4'?");
-  contains(says([](StudyRequest& r) { r.until = -1; }), "--until is -1, must be > 0");
-  contains(says([](StudyRequest& r) { r.until = std::nan(""); }), "--until is nan");
-  contains(says([](StudyRequest& r) { r.h = {0.3}; }), "does not divide T = 1 s of short-A into whole steps; 1/3 does");
-  contains(says([](StudyRequest& r) { r.h = {-0.1}; }), "--h is -0.1");
-  contains(says([](StudyRequest& r) { r.h = {std::nan("")}; }), "--h is nan");
-  contains(says([](StudyRequest& r) { r.tolerances = {1e-17}; }), "below rounding");
-  contains(says([](StudyRequest& r) { r.peers = {"buulet"}; }), "did you mean 'bullet'?");
-  contains(says([](StudyRequest& r) { r.kind = "drift", r.until = 3; }), "not for drift");
-  contains(says([](StudyRequest& r) { r.kind = "contact"; }), "there is no problem of contact 'short-A'");
-  contains(says([](StudyRequest& r) { r.problems = {"/nowhere.json"}; }), "/nowhere.json does not exist");
-  EXPECT_EQ(says([](StudyRequest& r) { r.h = {0.1, 0.05}; }), "planned");
-}
-
-// Beside the test there is no peer's program: the fault names what to install.
-TEST(Plan, NamesThePackageOfAPeerThatIsNotThere) {
-  for (const Peer& peer : peers()) {
-    StudyRequest r = small();
-    r.peers = {peer.name};
-    const auto cells = plan(r);
-    ASSERT_FALSE(cells);
-    EXPECT_EQ(cells.fault().kind, Fault::Kind::unsupported);
-    EXPECT_NE(cells.fault().text().find(peer.package), std::string::npos);
-  }
 }
 
 TEST(Flight, OfASceneFileIsTheOneOfItsCuboid) {
@@ -267,98 +218,6 @@ TEST(StabilityMaps, SayUpToWhichStepAMethodHolds) {
   EXPECT_EQ(tables[2].rows[0], (std::vector<std::string>{"0.1", "+", "+", "o", "+", "o", "-", "+", "+", "+", "+"}));
   const std::string text = page_text(page);
   for (const char* part : {"+ stable, o inaccurate, - unstable", "energy leaves a tenth", "tilt, degrees", "|w| h, rad"}) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-}
-
-TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
-  for (const char* kind : {"convergence", "work-precision", "drift", "stability", "contact"}) {
-    StudyRequest r;
-    r.kind = kind;
-    if (r.kind == "work-precision") r.problems = {"short-A"}, r.coarsest = 10, r.rungs = 3;
-    r.methods = {"sheet", "split2"};
-    r.steps = 100;
-    r.rungs = 3;
-    std::vector<Row> rows;
-    const auto cells = *plan(r);
-    for (const Cell& cell : cells) {
-      if (cell.study == "stability" && cell.problem != "mass") continue;  // seconds
-      rows.push_back(cell.study == "drift" ? drift(cell) : cell.study == "stability" ? stability(cell) : cell.study == "contact" ? contact(cell) : fly(cell));
-    }
-    const StudyPage page = study_page(kind, rows, "rigor study " + std::string(kind));
-    for (const std::string& text : {page_html(page), page_markdown(page)}) {
-      EXPECT_NE(text.find("rigor study " + std::string(kind)), std::string::npos);
-      EXPECT_NE(text.find("SUNDIALS"), std::string::npos);
-      EXPECT_EQ(text.find("http://rigor"), std::string::npos);
-      if (std::string(kind) == "convergence") {
-        EXPECT_NE(text.find("Taylor series of order 40"), std::string::npos);
-      }
-    }
-    const std::string text = page_text(page);
-    EXPECT_GT(text.size(), 100u);
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-      EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }), 80) << line;
-      EXPECT_FALSE(line.ends_with(' ')) << line;
-    }
-  }
-}
-
-// A way without steps has no step: it is not on the ladder's plot, and has no order.
-TEST(Pages, GiveNoStepToAWayThatHasNone) {
-  StudyRequest r{"convergence", {"short-A"}, {"rk4", "exact", "cvode-adams"}};
-  r.coarsest = 10;
-  r.rungs = 4;
-  r.tolerances = {1e-6, 1e-9};
-  std::vector<Row> rows;
-  const auto cells = *plan(r);
-  for (const Cell& cell : cells) rows.push_back(fly(cell));
-  const Section s = convergence_page(rows).sections[0];
-  ASSERT_EQ(s.plots.size(), 1u);
-  ASSERT_EQ(s.plots[0].series.size(), 1u);
-  EXPECT_EQ(s.plots[0].series[0].name, "rk4");
-  const auto named = [&](const std::string& caption) {
-    return *std::find_if(s.tables.begin(), s.tables.end(), [&](const Table& t) { return t.caption.rfind(caption, 0) == 0; });
-  };
-  EXPECT_EQ(named("errors at the finest step").rows.size(), 1u);
-  const Table without = named("ways without a step");
-  ASSERT_EQ(without.rows.size(), 3u);
-  EXPECT_EQ(without.rows[0][1], "-");
-  EXPECT_EQ(without.rows[1][1], "1e-06");
-  EXPECT_EQ(without.rows[2][1], "1e-09");
-  std::vector<Row> alone;
-  for (const Row& row : rows)
-    if (row.cell.method == "exact") alone.push_back(row);
-  const Section closed = convergence_page(alone).sections[0];
-  EXPECT_TRUE(closed.plots.empty());
-  EXPECT_EQ(closed.tables.size(), 1u);
-}
-
-// Why a run failed fits the terminal, however much there is to say.
-TEST(Pages, FoldWhyARunFailed) {
-  Row row{{"convergence", "short-A", "submission someone-with-a-long-name 0123456789abcdef", 50}, {}, "", ""};
-  row.failed = "unsupported: the function 'update' of the submission returned a matrix that is no rotation, off by 0.25, after 17 of 50 steps";
-  const std::string text = page_text(study_page("convergence", {row}, "x"));
-  EXPECT_NE(text.find("after 17"), std::string::npos);
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
-}
-
-// Every error has its cheapest run, and a failed run is a row without numbers.
-TEST(Pages, SayWhichMethodForWhichError) {
-  const auto row = [](const char* method, double error, double time) {
-    Row r{{"work-precision", "short-A", method, 1}, {}, std::isnan(error) ? "fell over" : "", ""};
-    r.put("attitude", error);
-    r.put("cpu_median", time);
-    return r;
-  };
-  const std::vector<Row> rows{row("sheet", 1e-3, 2e-6), row("rk4", 1e-9, 5e-6), row("exact", 1e-16, 3e-6), row("ode/step", 1e-3, 1e-3), row("taylor16", std::nan(""), 1e-9)};
-  const StudyPage page = work_page(rows);
-  const Table& choices = page.sections[0].tables[0];
-  EXPECT_EQ(choices.rows[0][1], "sheet (1 steps)");           // 1e-2
-  EXPECT_EQ(choices.rows[0].back(), "500");                    // the peer's time over it
-  EXPECT_EQ(choices.rows[3][1], "exact (1 steps)");            // 1e-5
-  EXPECT_EQ(choices.rows[3][3], "rk4 (1 steps)");
-  EXPECT_EQ(choices.rows[3][5], "none reaches it");
-  EXPECT_NE(page_markdown(study_page("work-precision", rows, "x")).find("fell over"), std::string::npos);
 }
 
 }  // namespace
