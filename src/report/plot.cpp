@@ -123,9 +123,11 @@ std::string curve(const Series& s, std::size_t index, const Axis& x, const Axis&
          (s.dashed ? "1.2\" stroke-dasharray=\"5 4" : "1.8") + "\"/>" + marks;
 }
 
+// Curves set aside count for themselves: the others have the colours of the still picture.
 std::size_t colour_of(const Plot& plot, std::size_t i) {
-  const int shared = plot.series[i].colour;
-  return (shared < 0 ? i : std::size_t(shared)) % 8;
+  const Series& s = plot.series[i];
+  if (s.colour >= 0) return std::size_t(s.colour) % 8;
+  return std::size_t(std::count_if(plot.series.begin(), plot.series.begin() + long(i), [&](const Series& before) { return before.aside == s.aside; })) % 8;
 }
 
 // How many points of a plot cannot be drawn: said in the text alternative, never silently dropped.

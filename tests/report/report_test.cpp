@@ -48,6 +48,8 @@ TEST(Plot, LeavesOutWhatIsSetAside) {
   plot.series[1].aside = true;
   for (const char* of_b : {">1e-9<", ">b<", "b;"}) EXPECT_EQ(svg_file(plot).find(of_b), std::string::npos) << of_b;
   EXPECT_NE(figure(plot).find("\"name\":\"b\""), std::string::npos);
+  plot.series.push_back({"c", {1, 2}, {1e-3, 1e-2}});  // of the colour that it has in the still picture, the second
+  EXPECT_NE(figure(plot).find("\"aside\":false,\"colour\":1}]"), std::string::npos) << figure(plot);
 }
 
 TEST(Plot, SaysHowManyPointsItCannotDraw) {
