@@ -89,7 +89,7 @@ Outcome<std::string> run_scene(const fs::path& out) {
   std::printf("2. The assignment's scene: ten cuboids, 20 s\n");
   Scene scene = builtin_scene("assignment", 3);
   scene.every = 1.0 / 30;
-  TrajectoryCsv csv(scene.bodies.size());
+  TrajectoryCsv csv;
   view::Recording recording(scene, scene.method);
   const double shown = 4;  // s; then all are at rest
   report::Plot plot{"Heights of the ten cuboids", "time, s", "height of the centre, m", false, false, {}};

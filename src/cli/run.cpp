@@ -22,7 +22,8 @@ namespace rigor::cli {
 namespace {
 
 struct Options {
-  std::string scene, method, out;
+  std::string scene;
+  std::optional<std::string> method, out;
   std::vector<std::string> beside;
   std::optional<double> dt, until, every;
   std::uint64_t seed = 0;
@@ -36,6 +37,7 @@ int bad_input(const Fault& fault) {
 }
 
 using studies::brief;
+constexpr std::size_t most_shown = 10;  // of a list, on a terminal
 
 // At most 80 columns, names of files and reasons apart.
 void print(const Scene& scene, const RunSummary& run, double wall) {
@@ -49,14 +51,18 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   const auto three = [](double x) { return brief(x, "%.3g"); };
   fmt::print("  energy             {} J -> {} J\n", brief(l.energy.start, "%.6g"), brief(l.energy.end, "%.6g"));
   fmt::print("    accounted for    work {}, restitution lost {}, friction lost {},\n", four(l.energy.work), four(l.energy.restitution_loss), four(l.energy.friction_loss));
-  fmt::print("                     correction {}, switched {}{} J\n", four(l.energy.correction), four(l.energy.switched), located ? ", stepper " + four(l.energy.stepper) : "");
+  fmt::print("                     correction {}, switched {} J\n", four(l.energy.correction), four(l.energy.switched));
   fmt::print("  unexplained, worst energy {} J, linear momentum {} N s,\n", three(l.energy.worst_drift), three(l.linear.worst_drift));
   fmt::print("                     angular momentum {} kg m^2/s\n", three(l.angular.worst_drift));
   fmt::print("  impacts            {}: planes {}, pairs {}; {} gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
-  for (const Accumulation& a : run.accumulations)
-    fmt::print("  bounces ended      cuboid {} at t = {} s, {} s left out\n", a.body, brief(a.at, "%.9g"), brief(a.tail, "%.2g"));
-  for (const HandOver& h : run.handed_over)
-    fmt::print("  handed over        cuboid {}, t = {} to {} s:\n    {}\n", h.body, brief(h.from, "%.6g"), brief(h.to, "%.6g"), h.why);
+  const auto first = [&](const auto& all, const auto& line) {
+    for (std::size_t k = 0; k < std::min(all.size(), most_shown); ++k) line(all[k]);
+    if (all.size() > most_shown) fmt::print("    and {} more: summary.json has all (--json prints it, --out writes it)\n", all.size() - most_shown);
+  };
+  first(run.accumulations, [](const Accumulation& a) { fmt::print("  bounces ended      cuboid {} at t = {} s, {} s left out\n", a.body, brief(a.at, "%.9g"), brief(a.tail, "%.2g")); });
+  first(run.handed_over, [](const HandOver& h) {
+    fmt::print("  handed over        cuboid {}, t = {} to {} s{}:\n    {}\n", h.body, brief(h.from, "%.6g"), brief(h.to, "%.6g"), h.times > 1 ? ", " + std::to_string(h.times) + " times" : "", h.why);
+  });
   for (const PlanLine& line : plan({}, l.skips))
     if (line.skipped && line.left_out > 0) fmt::print("  skipped            {:.1f} % of {} {}: {}\n", 100 * double(line.left_out) / double(line.of), line.of, line.what, line.why);
   fmt::print("  deepest overlap    {} m\n", three(l.deepest_penetration));
@@ -64,10 +70,10 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
 }
 
 // Why a run did not come to its end, or "".
-std::string cut_short(const RunSummary& run) {
+std::string cut_short(const RunSummary& run, bool located) {
   const std::string at = " at t = " + brief(run.t_end, "%g") + " s";
   if (!run.stopped.empty()) return "stopped" + at + ": " + run.stopped;
-  if (!run.finite) return "a number stopped being finite" + at + "; the step is too long for this scene and method";
+  if (!run.finite) return "a number stopped being finite" + at + (located ? "" : "; the step is too long for this scene and method");
   if (run.interrupted) return "interrupted" + at + "; what is shown and written ends there";
   return "";
 }
@@ -78,7 +84,7 @@ void print_beside(const std::vector<std::pair<std::string, RunSummary>>& runs) {
   for (const auto& [method, run] : runs) {
     const Ledger& l = run.ledger;
     fmt::print("  {:<20}{:>14}{:>11}{:>11}{:>11}{:>10}\n", method, brief(l.energy.end, "%.6g"), brief(l.energy.worst_drift), brief(l.linear.worst_drift), brief(l.angular.worst_drift), l.impacts);
-    if (const std::string why = cut_short(run); !why.empty()) fmt::print("{}", report::filled(why, 80, 4));
+    if (const std::string why = cut_short(run, method == "located"); !why.empty()) fmt::print("{}", report::filled(why, 80, 4));
   }
 }
 
@@ -138,10 +144,12 @@ Outcome<std::vector<Scene>> beside(const Scene& scene, const Options& options) {
 }
 
 int run_command(const Options& options) {
+  if (options.scene.empty()) return bad_input({Fault::Kind::missing, "SCENE", "is empty, must be a file or a built-in scene"});
+  if (options.out && options.out->empty()) return bad_input({Fault::Kind::missing, "--out", "is empty, must be a directory"});
   auto opened = open_scene(options.scene, options.seed);
   if (!opened) return bad_input(opened.fault());
   Scene scene = *opened;
-  if (!options.method.empty()) scene.method = options.method;
+  if (options.method) scene.method = *options.method;
   if (options.dt) scene.dt = *options.dt;
   if (options.until) scene.until = *options.until;
   if (options.every) scene.every = *options.every;
@@ -149,8 +157,10 @@ int run_command(const Options& options) {
   const auto others = beside(scene, options);
   if (!others) return bad_input(others.fault());
 
-  TrajectoryCsv csv(scene.bodies.size());
-  const bool keep = !options.out.empty();
+  TrajectoryCsv csv;
+  const bool keep = options.out.has_value();
+  if (keep)
+    if (const auto ok = check_rows(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
   Skips wanted;
   wanted.monitors = options.quiet && !options.json && !keep;
   const auto skips = without(wanted, options.no_skip);
@@ -182,7 +192,7 @@ int run_command(const Options& options) {
     else
       std::fprintf(stderr, "rigor run: no replay.html: %s\n", page.fault().text().c_str());
     for (const auto& [name, text] : files) {
-      if (const auto written = write_file(std::filesystem::path(options.out) / name, text); !written) return bad_input(written.fault());
+      if (const auto written = write_file(std::filesystem::path(*options.out) / name, text); !written) return bad_input(written.fault());
       written_names.push_back(name);
     }
   }
@@ -191,10 +201,11 @@ int run_command(const Options& options) {
   if (options.explain) explain(scene, *skips, run);
   if (!options.json && !options.quiet) {
     if (by_method.size() > 1) print_beside(by_method);
-    if (keep) say_wrote(options.out, written_names);
+    if (keep) say_wrote(*options.out, written_names);
   }
-  const std::string why = cut_short(run);
+  const std::string why = cut_short(run, scene.method == "located");
   if (why.empty()) return 0;
+  std::fflush(stdout);  // or this stands in the middle of a line where both go to one place
   std::fprintf(stderr, "rigor run: %s\n", why.c_str());
   return run.stopped.empty() && run.finite ? 128 + interrupted() : 1;
 }
@@ -208,14 +219,14 @@ void add_run(CLI::App& app, int& exit_status) {
   command->add_option("--method", options->method, "in place of the scene's: a stepper, or \"located\": exact flight, impacts at their time");
   command->add_option("--dt", options->dt, "step")->check(in_range(1e-30, 1e30, "s"));
   command->add_option("--until", options->until, "end")->check(in_range(0.0, 1e30, "s"));
-  command->add_option("--every", options->every, "output interval; 0: each step")->check(in_range(0.0, 1e30, "s"));
+  command->add_option("--every", options->every, "output interval; 0: each step; located, which has none: 1/60 s or until/10000")->check(in_range(0.0, 1e30, "s"));
   command->add_option("--seed", options->seed, "of the scene's random numbers")->check(in_range(std::uint64_t(1), std::uint64_t(1) << 53));
   command->add_option("--out", options->out, "directory for trajectory.csv, summary.json and replay.html");
   command->add_option("--beside", options->beside, "more methods, compared with the scene's: printed, and shown in replay.html")->delimiter(',');
   command->add_option("--no-skip", options->no_skip, "do what could be left out: pairs, planes, loads, rest, monitors or all; the same bits, slower")->delimiter(',');
   CLI::Option* explained = command->add_flag("--explain", options->explain, "print what the scene needs and what was left out, why and how often");
   command->add_flag("--json", options->json, "print summary.json")->excludes(explained);
-  command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
+  command->add_flag("--quiet", options->quiet, "print nothing but what went wrong")->excludes(explained);
   command->footer("Methods: " + fmt::format("{}", fmt::join(scene_methods(), ", ")) + "\n\nExample:  rigor run assignment --seed 3 --out runs/three");
   command->callback([options, &exit_status] { exit_status = run_command(*options); });
 }

@@ -8,27 +8,36 @@ namespace {
 
 using V = Vec3<double>;
 
-ExactFlight attitude_of(const Cuboid<double>& shape, const State<double>& start) {
-  const auto made = ExactFlight::make(shape.inertia(), apply_transposed<double>(start.R_WB, start.w_WB), start.R_WB);
+V spin_of(const State<double>& start, std::optional<int> about) {
+  const V w_B = apply_transposed<double>(start.R_WB, start.w_WB);
+  return about ? V(w_B[*about] * V::Unit(*about)) : w_B;
+}
+ExactFlight attitude_of(const Cuboid<double>& shape, const V& w_B, const State<double>& start) {
+  const auto made = ExactFlight::make(shape.inertia(), w_B, start.R_WB);
   promise(bool(made), "a flight starts from a finite state");
   return *made;
 }
 
 }  // namespace
 
-Flight::Flight(const Cuboid<double>& shape, const State<double>& start, const V& a_W)
-    : shape_(&shape), start_(start), a_W_(a_W), attitude_(attitude_of(shape, start)) {
-  const V w_B = apply_transposed<double>(start.R_WB, start.w_WB);
+Flight::Flight(const Cuboid<double>& shape, const State<double>& start, const V& a_W, std::optional<int> about)
+    : shape_(&shape), start_(start), a_W_(a_W), w_B_(spin_of(start, about)), attitude_(attitude_of(shape, w_B_, start)) {
   double energy2 = 0, L2 = 0;
   for (int i = 0; i < 3; ++i) {
-    const double L = shape.inertia()[i] * w_B[i];
-    energy2 += L * w_B[i];
+    const double L = shape.inertia()[i] * w_B_[i];
+    energy2 += L * w_B_[i];
     L2 += L * L;
   }
   const double I_min = shape.inertia().minCoeff();
   const double w2 = std::min(energy2, L2 / I_min) / I_min * (1 + 1e-12);
   spin_ = std::sqrt(w2);
   bound_ = w2 * (1 + 1 / std::sqrt(3.0));
+}
+
+double Flight::rounding(double tau) const {
+  double terms = norm<double>(shape_->size()) / 2 * (1 + spin_ * tau);
+  for (int i = 0; i < 3; ++i) terms += std::fabs(start_.p_WB[i]) + tau * (std::fabs(start_.v_WB[i]) + tau * std::fabs(a_W_[i]) / 2);
+  return 16 * 0x1p-53 * terms;
 }
 
 State<double> Flight::at(double tau) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <rigor/bodies/cuboid.hpp>
 #include <rigor/engine/exact_flight.hpp>
 #include <rigor/formulas/state.hpp>
@@ -9,8 +10,8 @@ namespace rigor {
 /// so a flight far from t = 0 is as accurate as the first.
 class Flight {
  public:
-  /// Precondition: a finite state whose R_WB is a rotation.
-  Flight(const Cuboid<double>& shape, const State<double>& start, const Vec3<double>& a_W);
+  /// Precondition: a finite state whose R_WB is a rotation. `about`: the body axis it turns about, where a plane keeps it to that one.
+  Flight(const Cuboid<double>& shape, const State<double>& start, const Vec3<double>& a_W, std::optional<int> about = {});
 
   State<double> at(double tau) const;
 
@@ -21,6 +22,8 @@ class Flight {
   /// |ω|² ≤ min(2E, L²/I_min)/I_min for all time, and |α| ≤ |ω|²/√3, because |ω̇_i| = |I_j − I_k|/I_i |ω_j ω_k| and a
   /// cuboid's moments keep |I_j − I_k| ≤ I_i.
   double acceleration_bound(double radius) const { return bound_ * radius; }
+  /// What rounding may do to the place of a corner at τ, m: 16 u of the terms of its parabola and of radius × (1 + angle turned).
+  double rounding(double tau) const;
   /// Bound on |ω|, rad/s.
   double spin_bound() const { return spin_; }
 
@@ -28,6 +31,7 @@ class Flight {
   const Cuboid<double>* shape_;
   State<double> start_;
   Vec3<double> a_W_;
+  Vec3<double> w_B_;  // at the start
   ExactFlight attitude_;
   double bound_, spin_;
 };

@@ -88,12 +88,12 @@ void LocatedWorld::finish(double t) {
     if (bodies_[i].phase == LocatedBody::Phase::stepping) summary_.handed_over[bodies_[i].reported].to = t;
   }
   Ledger::Energy& e = ledger_.energy;
-  e.worst_drift = std::fabs(e.end - e.start - e.correction - e.switched - e.stepper + e.restitution_loss + e.friction_loss);
-  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) m->worst_drift = norm<double>(V(m->end - m->start - m->external - m->stepper));
+  e.worst_drift = std::fabs(e.end - e.start - e.correction - e.switched + e.restitution_loss + e.friction_loss);
+  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) m->worst_drift = norm<double>(V(m->end - m->start - m->external));
 }
 
 State<double> LocatedWorld::state_at(const LocatedBody& b, double t) {
-  return b.flight ? b.flight->at(std::max(0.0, b.start.until(t))) : b.motion.state;
+  return b.flight ? b.flight->at(std::max(0.0, b.start.until(t))) : b.state;
 }
 
 double LocatedWorld::energy(std::size_t i, const State<double>& s) const {
@@ -118,14 +118,14 @@ void LocatedWorld::act(const SceneAction& action) {
   const V before = gravity_;
   gravity_ = action.what == SceneAction::Do::gravity_on ? scene_.gravity : zero3<double>();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const State<double> s = state_at(bodies_[i], action.at);
-    ledger_.energy.switched += shape(i).mass() * dot<double>(V(before - gravity_), s.p_WB);
+    ledger_.energy.switched += shape(i).mass() * dot<double>(V(before - gravity_), state_at(bodies_[i], action.at).p_WB);
     if (!bodies_[i].flight) continue;
+    const double tau = bodies_[i].start.until(action.at);
     const V now = gravity_;
     gravity_ = before;
-    account(i, bodies_[i].start.until(action.at));
+    const State<double> s = arrive(i, tau);
     gravity_ = now;
-    begin(i, bodies_[i].start.after(bodies_[i].start.until(action.at)), s);
+    begin(i, bodies_[i].start.after(tau), s);
   }
 }
 
@@ -133,19 +133,20 @@ void LocatedWorld::happen(std::size_t i) {
   LocatedBody& b = bodies_[i];
   const Moment now = b.start.after(b.next);
   State<double> s = arrive(i, b.next);
-  if (b.phase == LocatedBody::Phase::sliding && !b.tangled && dot<double>(s.v_WB, b.flight->start().v_WB) <= 0) s.v_WB = zero3<double>();
-  if (b.tangled) return hand_over(i, now, s, "a corner follows the plane within rounding, or a search of a million advances");
+  if (b.phase == LocatedBody::Phase::sliding && b.trouble == nullptr && dot<double>(s.v_WB, b.flight->start().v_WB) <= 0) s.v_WB = zero3<double>();
+  if (b.trouble != nullptr) return hand_over(i, now, s, b.trouble);
   LocatedImpact seen{i, now.value(), b.next, b.flight->start(), s, s};
   const long impacts = ledger_.impacts;
   begin(i, now, s);
   if (!observe_impact_ || ledger_.impacts == impacts) return;
-  seen.after = bodies_[i].flight ? bodies_[i].flight->start() : bodies_[i].motion.state;
+  seen.after = bodies_[i].flight ? bodies_[i].flight->start() : bodies_[i].state;
   observe_impact_(seen);
 }
 
 State<double> LocatedWorld::arrive(std::size_t i, double tau) {
   State<double> s = bodies_[i].flight->at(tau);
   account(i, tau);
+  bodies_[i].rounding = std::fmax(bodies_[i].rounding, bodies_[i].flight->rounding(tau));
   if (bodies_[i].flight->spin_bound() > 0) s.R_WB = gram_schmidt<double>(s.R_WB);
   return s;
 }
@@ -158,23 +159,26 @@ Outcome<RunSummary> simulate_located(const Scene& scene, const Observer& observe
 
   RunSummary summary;
   LocatedWorld world(scene, summary, observe_impact, skips);
-  const double every = scene.every > 0 ? scene.every : 1.0 / 60;
-  long row = 0;
-  double t_end = scene.until;
-  for (;;) {
-    const double next = world.next_time();
-    for (; std::min(double(row) * every, scene.until) < next && double(row) * every < scene.until; ++row) observe(double(row) * every, world.states(double(row) * every));
-    if (next > scene.until) break;
+  const double every = output_interval(scene);
+  const auto show = [&](double t) {
+    const std::vector<State<double>>& states = world.states(t);
+    summary.finite = summary.finite && std::all_of(states.begin(), states.end(), is_finite);
+    if (summary.finite) observe(t, states);
+  };
+  const auto ends_early = [&] {
     summary.interrupted = interrupted() != 0;
-    if (summary.interrupted || !summary.stopped.empty() || !summary.finite) {
-      t_end = next;
-      break;
-    }
+    return summary.interrupted || !summary.stopped.empty() || !summary.finite;
+  };
+  long row = 0;
+  for (;;) {
+    const double next = world.next_time(), end = std::min(next, scene.until);
+    for (; !ends_early() && double(row) * every < end; ++row) show(double(row) * every);
+    summary.t_end = ends_early() ? std::min(end, double(row) * every) : scene.until;
+    if (ends_early() || next > scene.until) break;
     world.advance();
   }
-  summary.t_end = t_end;
-  observe(t_end, world.states(t_end));
-  world.finish(t_end);
+  show(summary.t_end);
+  world.finish(summary.t_end);
   return summary;
 }
 

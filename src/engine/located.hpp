@@ -19,9 +19,10 @@ using LocatedObserver = std::function<void(const LocatedImpact&)>;
 /// Impacts: the corners of a cuboid within 64 roundings of the plane that approach it are one contact at their mean
 /// point; repeated until none approaches. A face that lands without spin, with the centre of pressure inside it, is hit
 /// as a mass point is (the joint solution for its corners). Bounces lower than 1e-14 of the size end: the contact then
-/// persists. A face without spin on one plane slides with constant deceleration, stops, and rests, exactly; any other
-/// persistent contact is handed to the stepper `sheet` with the scene's dt, until ten steps in a row met no plane. The
-/// rules and their reasons: docs/located-impacts.md.
+/// persists. A face without spin on one plane slides with constant deceleration, stops, and rests, and one without friction
+/// glides, exactly; any other persistent contact is handed to a stepper with the scene's dt (exact flight for a step, then
+/// the contacts of the assignment's program), until ten steps in a row met nothing. The rules and their reasons:
+/// docs/located-impacts.md.
 ///
 /// `skips.pairs` and `skips.planes` leave out what cannot meet in a flight; the states have the same bits with and without.
 ///

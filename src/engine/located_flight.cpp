@@ -17,13 +17,23 @@ constexpr double u = 0x1p-53;
 constexpr double smallest_bounce = 1e-14;  // height over size below which bounces end
 constexpr long most_impacts = 10000000;    // of one run
 
+// The body axis nearest to the plane's normal: that of the face which lies on it.
+int facing(const State<double>& s, const Plane<double>& plane) {
+  int axis = 0;
+  apply_transposed<double>(s.R_WB, plane.normal()).cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
 }  // namespace
 
 void LocatedWorld::begin(std::size_t i, const Moment& now, State<double> s) {
   if (!is_finite(s)) return hand_over(i, now, s, "a number left the range of double");
-  for (const Plane<double>& plane : scene_.planes)
-    for (const double gap : corner_gaps(shape(i), s, plane).gap)
-      if (gap < -1e-9 * size(i)) return hand_over(i, now, s, "begins inside a plane");
+  for (const Plane<double>& plane : scene_.planes) {
+    const CornerGaps c = corner_gaps(shape(i), s, plane);
+    const double deepest = *std::min_element(c.gap.begin(), c.gap.end()), allowed = 1e-9 * size(i) + c.rounding, rounding = bodies_[i].rounding;
+    if (deepest < -allowed - rounding) return hand_over(i, now, s, "begins inside a plane");
+    if (deepest < -allowed && rounding > coarse * shape(i).size().minCoeff()) return hand_over(i, now, s, too_coarse);
+  }
   for (int round = 0;; ++round) {
     bool any = false;
     for (const Plane<double>& plane : scene_.planes) any = hit(i, s, plane) || any;
@@ -37,7 +47,7 @@ void LocatedWorld::begin(std::size_t i, const Moment& now, State<double> s) {
     if (persists(i, s, scene_.planes[p], tail)) support = int(p), ++supports;
   if (supports == 0) return fly(i, now, s, gravity_, -1, LocatedBody::Phase::flying, infinity);
   if (supports > 1) return hand_over(i, now, s, "rests on more than one plane");
-  if (!lie(i, now, s, support)) return hand_over(i, now, s, "a persistent contact that is no face lying flat without spin");
+  if (!lie(i, now, s, support)) return hand_over(i, now, s, "a persistent contact that no exact phase knows");
   if (tail > 0) summary_.accumulations.push_back({i, now.value(), tail});
 }
 
@@ -72,10 +82,8 @@ bool LocatedWorld::hit(std::size_t i, State<double>& s, const Plane<double>& pla
 }
 
 bool LocatedWorld::pressure_inside(std::size_t i, const State<double>& s, const Plane<double>& plane, const V& f) const {
-  const V n = apply_transposed<double>(s.R_WB, plane.normal()), f_B = apply_transposed<double>(s.R_WB, f), half = shape(i).size() / 2;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::fabs(n[k]) > std::fabs(n[axis])) axis = k;
+  const V f_B = apply_transposed<double>(s.R_WB, f), half = shape(i).size() / 2;
+  const int axis = facing(s, plane);
   for (int k = 0; k < 3; ++k)
     if (k != axis && half[axis] * std::fabs(f_B[k]) > half[k]) return false;
   return true;
@@ -83,10 +91,13 @@ bool LocatedWorld::pressure_inside(std::size_t i, const State<double>& s, const 
 
 bool LocatedWorld::persists(std::size_t i, const State<double>& s, const Plane<double>& plane, double& tail) const {
   const CornerGaps c = corner_gaps(shape(i), s, plane);
+  const bool lies = flat(i, s, plane);
   bool any = false;
   for (int k = 0; k < 8; ++k) {
     if (c.gap[k] > 64 * c.rounding) continue;
-    const double press = -dot<double>(plane.normal(), corner_acceleration(shape(i), s, k, gravity_)), leave = std::fmax(0, c.rate[k]);
+    // spin about the normal turns a corner in the plane: no part of what presses it
+    const double press = -dot<double>(plane.normal(), lies ? gravity_ : corner_acceleration(shape(i), s, k, gravity_)), leave = std::fmax(0, c.rate[k]);
+    if (press == 0 && lies && norm<double>(s.w_WB) > 0 && leave <= c.still) any = true;
     if (press > 0 && leave * leave <= 2 * press * smallest_bounce * size(i)) {
       any = true;
       const double e = scene_.surface.restitution();
@@ -96,17 +107,26 @@ bool LocatedWorld::persists(std::size_t i, const State<double>& s, const Plane<d
   return any;
 }
 
+bool LocatedWorld::flat(std::size_t i, const State<double>& s, const Plane<double>& plane) const {
+  const CornerGaps c = corner_gaps(shape(i), s, plane);
+  const V n = plane.normal(), tilting = s.w_WB - dot<double>(s.w_WB, n) * n;
+  return std::count_if(c.gap.begin(), c.gap.end(), [&](double gap) { return gap <= 64 * c.rounding; }) == 4 && norm<double>(tilting) * size(i) <= 1e-12 * pace(i, s);
+}
+
+double LocatedWorld::pace(std::size_t i, const State<double>& s) const {
+  return norm<double>(s.v_WB) + norm<double>(s.w_WB) * size(i) + std::sqrt(norm<double>(gravity_) * size(i));
+}
+
 bool LocatedWorld::lie(std::size_t i, const Moment& now, State<double> s, int support) {
   const Plane<double>& plane = scene_.planes[std::size_t(support)];
-  const CornerGaps c = corner_gaps(shape(i), s, plane);
-  int touching = 0;
-  for (int k = 0; k < 8; ++k) touching += c.gap[k] <= 64 * c.rounding;
-  const double scale = norm<double>(s.v_WB) + std::sqrt(norm<double>(gravity_) * size(i));
-  if (touching != 4 || norm<double>(s.w_WB) * size(i) > 1e-12 * scale) return false;
+  if (!flat(i, s, plane)) return false;
+  const double mu_s = scene_.surface.static_friction(), mu_d = scene_.surface.dynamic_friction(), scale = pace(i, s);
   const V n = plane.normal(), downhill = gravity_ - dot<double>(gravity_, n) * n;
   const double press = -dot<double>(gravity_, n), slope = norm<double>(downhill);
   const double leave = dot<double>(s.v_WB, n);
-  s.w_WB = zero3<double>();
+  const bool spins = norm<double>(s.w_WB) * size(i) > 1e-12 * scale, rough = (mu_s > 0 || mu_d > 0) && press > 0;
+  if (spins && rough) return false;
+  s.w_WB = spins ? V(dot<double>(s.w_WB, n) * n) : zero3<double>();
   s.v_WB -= leave * n;
   ledger_.linear.external -= shape(i).mass() * leave * n;  // of the bounces left out
   ledger_.angular.external -= cross<double>(s.p_WB, V(shape(i).mass() * leave * n));
@@ -117,7 +137,10 @@ bool LocatedWorld::lie(std::size_t i, const Moment& now, State<double> s, int su
     fly(i, now, s, zero3<double>(), support, LocatedBody::Phase::resting, infinity);
     return true;
   };
-  const double mu_s = scene_.surface.static_friction(), mu_d = scene_.surface.dynamic_friction();
+  if (!rough && (spins || speed > 16 * u * scale || slope > 0)) {
+    fly(i, now, s, downhill, support, LocatedBody::Phase::gliding, infinity);
+    return true;
+  }
   if (speed <= 16 * u * scale && slope <= mu_s * press * (1 + 4 * u)) return pressure_inside(i, s, plane, V(-downhill / press)) && at_rest();
   const V along = speed > 16 * u * scale ? V(s.v_WB / speed) : V(downhill / slope);
   const double pull = dot<double>(downhill, along), rate = pull - mu_d * press;
@@ -139,10 +162,10 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
   b.phase = phase;
   b.start = now;
   b.support = support;
-  b.flight.emplace(shape(i), s, a);
+  b.flight.emplace(shape(i), s, a, phase == LocatedBody::Phase::gliding ? std::optional(facing(s, scene_.planes[std::size_t(support)])) : std::nullopt);
   ++flying_;
   b.next = ends;
-  b.tangled = false;
+  b.trouble = nullptr;
   const double horizon = now.until(scene_.until), radius = size(i) / 2;
   for (std::size_t p = 0; p < scene_.planes.size(); ++p) {
     if (int(p) == support) continue;
@@ -160,7 +183,9 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
     summary_.steps += found.advances;
     if (found.kind == PlaneContact::Kind::none || found.tau >= b.next) continue;
     b.next = found.tau;
-    b.tangled = found.kind == PlaneContact::Kind::tangled;
+    b.trouble = found.kind == PlaneContact::Kind::tangled ? "a corner follows the plane within rounding"
+                : found.kind == PlaneContact::Kind::endless ? "a search of a million advances found no end"
+                                                            : nullptr;
   }
   const std::uint32_t index = std::uint32_t(i);
   if (b.next < infinity) push({now.after(b.next), Event::Kind::own, false, index, index, b.flights, b.flights});

@@ -46,7 +46,7 @@ void LocatedWorld::look(std::size_t i) {
   for (const std::uint32_t j : fresh_) {
     const std::uint32_t self = std::uint32_t(i), low = std::min(self, j), high = std::max(self, j);
     const PairEvent event = search_pair(low, high);
-    if (event.at.value() < infinity) push({event.at, Event::Kind::meeting, event.tangled, low, high, bodies_[low].flights, bodies_[high].flights});
+    if (event.at.value() < infinity) push({event.at, Event::Kind::meeting, event.endless, low, high, bodies_[low].flights, bodies_[high].flights});
     mine.known.push_back({j, bodies_[j].flights});
     Partners& theirs = partners_[j];
     if (theirs.known.size() > 2 * theirs.kept + 16) forget_void(theirs);
@@ -88,10 +88,10 @@ PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
     if (longest >= 0 && norm<double>(V(centre(b) - centre(a))) - travel > 1.001 * (size(i) + size(j)) / 2 + 1e-3 * travel) return {};
     --ledger_.skips.pairs;
   }
-  const PairContact found = next_pair_contact(shape(i), *a.flight, base.since(a.start), shape(j), *b.flight, base.since(b.start), 0, base.until(scene_.until));
+  const PairContact found = next_pair_contact(shape(i), *a.flight, base.since(a.start), shape(j), *b.flight, base.since(b.start), 0, base.until(scene_.until), a.rounding + b.rounding);
   summary_.steps += found.advances;
   if (found.kind == PairContact::Kind::none) return {};
-  return {base.after(found.time), found.kind == PairContact::Kind::tangled};
+  return {base.after(found.time), found.kind == PairContact::Kind::endless};
 }
 
 void LocatedWorld::meet(const Event& event) {
@@ -101,7 +101,11 @@ void LocatedWorld::meet(const Event& event) {
   LocatedImpact seen_a{i, now.value(), now.since(bodies_[i].start), bodies_[i].flight->start(), a, a}, seen_b{j, now.value(), now.since(bodies_[j].start), bodies_[j].flight->start(), b, b};
   const Separation apart = separation(shape(i), a, shape(j), b);
   const double smallest = std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff());
-  const char* trouble = event.tangled ? "two cuboids stay within rounding of each other" : apart.gap < -1e-9 * smallest ? "begins inside another cuboid" : nullptr;
+  const double rounding = bodies_[i].rounding + bodies_[j].rounding, allowed = 1e-9 * smallest + touching_gap(shape(i), a, shape(j), b);
+  const char* trouble = event.endless ? "a search of a hundred thousand advances found no end"
+                        : apart.gap < -allowed - rounding ? "begins inside another cuboid"
+                        : apart.gap < -allowed && rounding > coarse * smallest ? too_coarse
+                                                                               : nullptr;
   bool any = false;
   for (int round = 0; trouble == nullptr; ++round) {
     if (!hit_pair(i, a, j, b, apart, smallest)) break;
@@ -133,9 +137,9 @@ double LocatedWorld::last_meeting_at(std::size_t i, std::size_t j) const {
 }
 
 bool LocatedWorld::hit_pair(std::size_t i, State<double>& a, std::size_t j, State<double>& b, const Separation& apart, double smallest) {
-  // the manifold is that of the smallest overlap there is: B moved into A by 1e-10 of the smallest edge
+  // the manifold is that of the smallest overlap there is: B moved into A by 1e-10 of the smallest edge, or by what places can tell
   State<double> pushed = b;
-  const double push = apart.gap + 1e-10 * smallest;
+  const double push = apart.gap + std::fmax(1e-10 * smallest, 2 * touching_gap(shape(i), a, shape(j), b));
   pushed.p_WB -= push * apart.n_AB_W;
   const Manifold found = box_box(shape(i), a, shape(j), pushed);
   if (!found.touches()) return false;

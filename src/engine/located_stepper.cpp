@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <rigor/contact/plane_response.hpp>
+#include <rigor/engine/flow_methods.hpp>
 #include <rigor/engine/located_world.hpp>
+#include <rigor/formulas/gram_schmidt.hpp>
 
 namespace rigor {
 
@@ -12,6 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double u = 0x1p-53;
 constexpr int calm_steps = 10;  // before a body flies again
+constexpr long most_steps = 10000000;  // of one run; all bodies in the stepper step together
 
 }  // namespace
 
@@ -22,13 +25,17 @@ void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<doubl
   b.start = now;
   b.support = -1;
   land(i);
-  b.motion = motion_of(shape(i), s);
+  b.state = s;
+  b.rounding = 0;  // it is put against what it touches
   b.calm = 0;
   b.next = infinity;
   if (!b.handed) {
     b.handed = true;
-    b.reported = summary_.handed_over.size();
-    summary_.handed_over.push_back({i, now.value(), infinity, why});
+    if (b.reported == LocatedBody::nowhere || summary_.handed_over[b.reported].why != why) {
+      b.reported = summary_.handed_over.size();
+      summary_.handed_over.push_back({i, 0, now.value(), infinity, why});
+    }
+    ++summary_.handed_over[b.reported].times;
     stepping_.insert(std::lower_bound(stepping_.begin(), stepping_.end(), i), std::uint32_t(i));
   }
   next_step_ = std::min(next_step_, step_after(now));
@@ -41,7 +48,7 @@ double LocatedWorld::step_after(const Moment& start) const {
 }
 
 bool LocatedWorld::settle(std::size_t i) {
-  const State<double>& s = bodies_[i].motion.state;
+  const State<double>& s = bodies_[i].state;
   const double reach = size(i) / 2 * 1.001, room = size(i) / 4;
   if (!is_finite(s)) return false;  // the run ends
   const auto around = [&](double r) { return AxisBox{V(s.p_WB - V::Constant(r)), V(s.p_WB + V::Constant(r))}; };
@@ -52,42 +59,24 @@ bool LocatedWorld::settle(std::size_t i) {
 }
 
 void LocatedWorld::step_all(double t) {
-  static const Method& sheet = *find_method("sheet");
+  static const Method& exact = flow_methods().front();
+  if (++steps_ > most_steps) summary_.stopped = "ten million steps of cuboids handed over; a larger dt takes fewer";
   std::vector<std::uint32_t>& in = step_of_;
   in = stepping_;
   for (const std::uint32_t i : in) {
-    met_[i] = false;
-    for (const Plane<double>& plane : scene_.planes) met_[i] = respond(i, plane) || met_[i];
-    settle(i);
-  }
-  for (const std::uint32_t i : in) {
-    near(boxes_.box(i), found_);
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      const std::uint32_t j = found_[k];
-      if (j <= i || !bodies_[j].handed || !push_apart(i, j)) continue;
-      met_[i] = met_[j] = true;
-      settle(j);
-      if (!settle(i)) continue;
-      near(boxes_.box(i), found_);  // it was pushed out of its box: others may be near now
-      k = std::size_t(std::upper_bound(found_.begin(), found_.end(), j) - found_.begin()) - 1;
-    }
-  }
-  for (const std::uint32_t i : in) {
     LocatedBody& b = bodies_[i];
     const double h = b.start.until(t);
-    const V weight = shape(i).mass() * gravity_, moment = h * cross<double>(b.motion.state.p_WB, weight);
+    const V weight = shape(i).mass() * gravity_;
     ledger_.linear.external += h * weight;
-    ledger_.angular.external += moment;
-    ledger_.energy.stepper -= energy(i, b.motion.state);
-    ledger_.angular.stepper -= angular(i, b.motion.state) + moment;
-    b.motion = sheet.step(shape(i), b.motion, {weight, zero3<double>()}, h);
-    ledger_.energy.stepper += energy(i, b.motion.state);
-    ledger_.angular.stepper += angular(i, b.motion.state);
-    summary_.finite = summary_.finite && is_finite(b.motion.state);
+    ledger_.angular.external += h * cross<double>(V(b.state.p_WB + h / 2 * b.state.v_WB), weight);
+    b.state = exact.step(shape(i), motion_of(shape(i), b.state), {weight, zero3<double>()}, h).state;
+    b.state.R_WB = gram_schmidt<double>(b.state.R_WB);
     b.start = Moment{t, 0};
-    b.calm = met_[i] ? 0 : b.calm + 1;
-    ++summary_.steps;
+    met_[i] = false;
+    for (const Plane<double>& plane : scene_.planes) met_[i] = respond(i, plane) || met_[i];
+    summary_.finite = summary_.finite && is_finite(b.state);
     settle(i);
+    ++summary_.steps;
   }
   next_step_ = infinity;
   for (const std::uint32_t i : in) next_step_ = std::min(next_step_, step_after(bodies_[i].start));
@@ -103,18 +92,32 @@ void LocatedWorld::step_all(double t) {
   for (const auto& [j, i] : flown_into_) {
     if (!bodies_[j].flight) continue;  // it has joined
     const State<double> s = bodies_[j].flight->at(bodies_[j].start.until(t));
-    const State<double>& other = bodies_[i].motion.state;
+    const State<double>& other = bodies_[i].state;
     if (norm<double>(V(other.p_WB - s.p_WB)) > (size(i) + size(j)) / 2 || separation(shape(i), other, shape(j), s).gap > 0) continue;
     const State<double> there = arrive(j, bodies_[j].start.until(t));
     hand_over(j, Moment{t, 0}, there, "met a cuboid in the stepper");
   }
+  in = stepping_;
+  for (const std::uint32_t i : in) {
+    near(boxes_.box(i), found_);
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      const std::uint32_t j = found_[k];
+      if (j <= i || !bodies_[j].handed || !push_apart(i, j)) continue;
+      met_[i] = met_[j] = true;
+      settle(j);
+      if (!settle(i)) continue;
+      near(boxes_.box(i), found_);  // it was pushed out of its box: others may be near now
+      k = std::size_t(std::upper_bound(found_.begin(), found_.end(), j) - found_.begin()) - 1;
+    }
+  }
+  for (const std::uint32_t i : in) bodies_[i].calm = met_[i] ? 0 : bodies_[i].calm + 1;
   for (const std::uint32_t i : in)
-    if (bodies_[i].calm >= calm_steps && clear(i)) begin(i, bodies_[i].start, bodies_[i].motion.state);
+    if (bodies_[i].calm >= calm_steps && clear(i)) begin(i, bodies_[i].start, bodies_[i].state);
   if (stepping_.empty()) next_step_ = infinity;
 }
 
 bool LocatedWorld::clear(std::size_t i) {
-  const State<double>& s = bodies_[i].motion.state;
+  const State<double>& s = bodies_[i].state;
   near(boxes_.box(std::uint32_t(i)), found_);
   for (const std::uint32_t j : found_) {
     if (j == i) continue;
@@ -127,19 +130,19 @@ bool LocatedWorld::clear(std::size_t i) {
 bool LocatedWorld::respond(std::size_t i, const Plane<double>& plane) {
   LocatedBody& b = bodies_[i];
   const V weight = shape(i).mass() * gravity_;
-  const PlaneResponse<double> response = respond_to_plane<double>(shape(i), b.motion.state, plane, scene_.surface, scene_.friction_law, weight);
+  const PlaneResponse<double> response = respond_to_plane<double>(shape(i), b.state, plane, scene_.surface, scene_.friction_law, weight);
   if (response.corners == 0) return false;
   moved(i, response.shift);
-  ledger_.linear.external += shape(i).mass() * (response.after.v_WB - b.motion.state.v_WB);
-  ledger_.angular.external += angular(i, response.after) - angular(i, b.motion.state);
+  ledger_.linear.external += shape(i).mass() * (response.after.v_WB - b.state.v_WB);
+  ledger_.angular.external += angular(i, response.after) - angular(i, b.state);
   for (const ImpactReport<double>& report : response.reports)
     if (!report.separating) ++ledger_.plane_impacts, note(report);
-  b.motion = motion_of(shape(i), response.after);
+  b.state = response.after;
   return true;
 }
 
 bool LocatedWorld::push_apart(std::size_t i, std::size_t j) {
-  State<double> a = bodies_[i].motion.state, b = bodies_[j].motion.state;
+  State<double> a = bodies_[i].state, b = bodies_[j].state;
   if (norm<double>(V(b.p_WB - a.p_WB)) > (size(i) + size(j)) / 2) return false;
   const Manifold found = box_box(shape(i), a, shape(j), b);
   if (!found.touches()) return false;
@@ -158,8 +161,8 @@ bool LocatedWorld::push_apart(std::size_t i, std::size_t j) {
     a.v_WB = result.after.A.v_WB, a.w_WB = result.after.A.w_WB;
     b.v_WB = result.after.B.v_WB, b.w_WB = result.after.B.w_WB;
   }
-  bodies_[i].motion = motion_of(shape(i), a);
-  bodies_[j].motion = motion_of(shape(j), b);
+  bodies_[i].state = a;
+  bodies_[j].state = b;
   return true;
 }
 

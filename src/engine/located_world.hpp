@@ -25,28 +25,34 @@ struct Moment {
 };
 constexpr Moment never{std::numeric_limits<double>::infinity(), 0};
 
+/// Where places are rounded by more than this part of the smallest edge, it cannot be said what touches what.
+constexpr double coarse = 1e-3;
+constexpr const char* too_coarse = "flew so far that its place is rounded by a thousandth of its smallest edge";
+
 /// A cuboid of the located world: what it is doing, and when that ends.
 struct LocatedBody {
-  enum class Phase { flying, sliding, resting, stepping };
+  enum class Phase { flying, sliding, gliding, resting, stepping };
   Phase phase = Phase::flying;
   Moment start;
-  std::optional<Flight> flight;    // of every phase but stepping; without spin and with its own acceleration on a plane
-  int support = -1;                // the plane it slides or rests on
+  std::optional<Flight> flight;    // of every phase but stepping; with its own acceleration on a plane
+  int support = -1;                // the plane it slides, glides or rests on
   double next = std::numeric_limits<double>::infinity();          // s after start: when something happens
-  bool tangled = false;            // and no impact can be named then
+  const char* trouble = nullptr;   // why no impact can be named then
+  double rounding = 0;             // m: what roundings of its flights may have done to its place
   std::uint32_t flights = 0;       // how many it has begun; events and meetings of earlier ones are void
   double looked = 0;               // s after start: until then its box holds it, and who it meets is known
   double stride = 0;               // m: how far it travels in one box, as experience has it
-  Motion motion;                   // stepping: the state at `start`
+  State<double> state;             // stepping: at `start`
   int calm = 0;                    // steps in a row in which it met nothing
   bool handed = false;             // to the stepper, and counted
-  std::size_t reported = 0;        // its place among the hand-overs
+  static constexpr std::size_t nowhere = std::size_t(-1);
+  std::size_t reported = nowhere;  // place of its last one among the hand-overs
 };
 
 /// When two cuboids meet next.
 struct PairEvent {
   Moment at = never;
-  bool tangled = false;
+  bool endless = false;            // the search was given up there
 };
 
 /// Something to come. In order of time; of one moment: looks, then cuboids by index, then pairs.
@@ -54,7 +60,7 @@ struct Event {
   enum class Kind : std::uint8_t { look, own, meeting };
   Moment at;
   Kind kind;
-  bool tangled;                    // a meeting that cannot be named
+  bool endless;                    // a meeting whose search was given up
   std::uint32_t i, j;              // j of a meeting; i otherwise
   std::uint32_t flight_i, flight_j;
   friend bool operator>(const Event& a, const Event& b) {
@@ -108,7 +114,12 @@ class LocatedWorld {
   /// Whether a corner at the plane neither leaves it nor bounces higher than smallest_bounce.
   bool persists(std::size_t i, const State<double>& s, const Plane<double>& plane, double& tail) const;
 
-  /// A face flat on one plane without spin: slides or rests. False when it is not that.
+  /// Whether a face lies on the plane, with no spin but about its normal.
+  bool flat(std::size_t i, const State<double>& s, const Plane<double>& plane) const;
+  /// The speeds that roundings of speeds are measured by, m/s.
+  double pace(std::size_t i, const State<double>& s) const;
+
+  /// A face flat on one plane: glides where there is no friction; without spin it slides or rests. False when it is not that.
   bool lie(std::size_t i, const Moment& now, State<double> s, int support);
 
   void fly(std::size_t i, const Moment& now, const State<double>& s, const Vec3<double>& a, int support, LocatedBody::Phase phase, double ends);
@@ -173,6 +184,7 @@ class LocatedWorld {
   std::map<std::pair<std::size_t, std::size_t>, double> last_meeting_;
   std::vector<std::uint32_t> stepping_, step_of_;  // in order of index; of the step on its way
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flown_into_;
+  long steps_ = 0;
   double next_step_ = std::numeric_limits<double>::infinity();
   std::size_t next_action_ = 0;
   std::vector<State<double>> shown_;

@@ -63,8 +63,14 @@ double safe_along(const Moving& A, const Moving& B, const V& N, const V& N1, con
 
 }  // namespace
 
+double touching_gap(const Cuboid<double>& A, const State<double>& a, const Cuboid<double>& B, const State<double>& b) {
+  double terms = norm<double>(V(b.p_WB - a.p_WB)) + norm<double>(A.size()) / 2 + norm<double>(B.size()) / 2;
+  for (int i = 0; i < 3; ++i) terms += std::fabs(a.p_WB[i]) + std::fabs(b.p_WB[i]);
+  return 16 * u * terms;
+}
+
 PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, double since_A, const Cuboid<double>& B, const Flight& flight_B,
-                              double since_B, double from, double limit) {
+                              double since_B, double from, double limit, double slack) {
   const double r_A = norm<double>(A.size()) / 2, r_B = norm<double>(B.size()) / 2, W_A = flight_A.spin_bound(), W_B = flight_B.spin_bound();
   const double pull = norm<double>(V(flight_B.acceleration() - flight_A.acceleration()));
   const double k = 1 + 1 / std::sqrt(3.0);
@@ -90,9 +96,7 @@ PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, d
       // D and V must hold during the whole advance: it is cut where the distance could have grown by half the sizes
       const double longest = first_root((r_A + r_B) / 2, -fastest, -pull);
       const double V_bound = fastest + pull * longest, D = distance + 1.5 * (r_A + r_B);
-      double terms = distance + r_A + r_B;
-      for (int i = 0; i < 3; ++i) terms += std::fabs(a.s.p_WB[i]) + std::fabs(b.s.p_WB[i]);
-      const double rounding = 16 * u * terms;
+      const double rounding = touching_gap(A, a.s, B, b.s) + slack;
       const double rest = flight_A.acceleration_bound(r_A) + flight_B.acceleration_bound(r_B) + pull;
       double best = 0;
       bool best_touches = false;
@@ -118,7 +122,7 @@ PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, d
     }
     if (!(safe <= limit - t)) return {PairContact::Kind::none, limit, found.advances};
     t = t + safe > t ? t + safe : std::nextafter(t, infinity);
-    if (++found.advances > most_advances) return {PairContact::Kind::tangled, t, found.advances};
+    if (++found.advances > most_advances) return {PairContact::Kind::endless, t, found.advances};
   }
 }
 

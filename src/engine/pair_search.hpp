@@ -9,7 +9,7 @@ struct PairContact {
   enum class Kind {
     none,      ///< they stay apart until the limit
     touch,     ///< at `time` they are within rounding of touching
-    tangled,   ///< a hundred thousand advances did not settle it
+    endless,   ///< a hundred thousand advances did not settle it
   };
   Kind kind = Kind::none;
   double time = 0;
@@ -17,7 +17,7 @@ struct PairContact {
 };
 
 /// The first time in (from, limit] at which two cuboids touch and approach there. `since_A`, `since_B`: how long each flight has lasted
-/// at the search's time 0.
+/// at the search's time 0. `slack`, m: a gap up to it is touching, for roundings the places had before.
 ///
 /// Conservative advancement along moving axes N(t): a face normal of either, or the cross product of an edge of each,
 /// turning with them. As long as F = N·(corner of B − corner of A) > 0 for every pair of corners they are apart, and
@@ -30,7 +30,10 @@ struct PairContact {
 ///
 /// errors    time within rounding of the gap over its rate
 PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, double since_A, const Cuboid<double>& B, const Flight& flight_B,
-                              double since_B, double from, double limit);
+                              double since_B, double from, double limit, double slack = 0);
+
+/// A gap up to this size is touching, m: 16 u of the terms in it.
+double touching_gap(const Cuboid<double>& A, const State<double>& a, const Cuboid<double>& B, const State<double>& b);
 
 /// A box along the world's axes that holds the sphere of `radius` around the centre of a flight for τ in [from, to]: by its
 /// parabolas, with a thousandth of the radius and what rounding may do to places and times to spare, so that spheres which

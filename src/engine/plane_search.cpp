@@ -55,7 +55,7 @@ PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& fligh
         safe = std::fmin(safe, first_root(0, corners.rate[k], c));
       } else {
         const double away = dot<double>(plane.normal(), corner_acceleration(shape, s, k, flight.acceleration()));
-        safe = std::fmin(safe, away > 0 ? (jerk > 0 ? 3 * away / jerk : infinity) : 0);
+        safe = std::fmin(safe, jerk > 0 ? 3 * std::fmax(0, away) / jerk : away >= 0 ? infinity : 0);
       }
     }
     // far away: nothing can touch before the sphere around the cuboid does, and that moves on a parabola
@@ -71,7 +71,7 @@ PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& fligh
     } else {
       tau = next;
     }
-    if (++found.advances > most_advances) return {PlaneContact::Kind::tangled, tau, found.advances};
+    if (++found.advances > most_advances) return {PlaneContact::Kind::endless, tau, found.advances};
   }
 }
 

@@ -23,7 +23,8 @@ struct PlaneContact {
   enum class Kind {
     none,      ///< no corner reaches the plane before the limit
     impact,    ///< at `tau` a corner touches and approaches
-    tangled,   ///< a corner stays within rounding of the plane (or the search took a million advances): no time to name
+    tangled,   ///< a corner stays within rounding of the plane: no time to name
+    endless,   ///< a million advances did not settle it
   };
   Kind kind = Kind::none;
   double tau = 0;   ///< s from the flight's start
@@ -39,7 +40,8 @@ struct PlaneContact {
 ///
 /// A corner that touches (within rounding) and leaves, like one just processed, counts as gap 0: its safe time
 /// 2r/(Ω − n·a) is positive, so the same contact is not found again. One that touches with no rate at all but is
-/// accelerated away by b stays in front for 3b/J, J = 5 |r| W³ a bound on the third derivative. A graze, where the corner comes within
+/// accelerated away by b stays in front for 3b/J, J = 5 |r| W³ a bound on the third derivative; without spin, rate or
+/// acceleration along the normal it stays as it is. A graze, where the corner comes within
 /// rounding of the plane with rate ≥ 0, is no impact.
 ///
 /// errors    time within rounding/|rate| of the root

@@ -11,13 +11,11 @@ struct Ledger {
     double restitution_loss = 0, friction_loss = 0;  ///< in impacts
     double correction = 0;          ///< potential energy given by pushing bodies out of planes and each other
     double switched = 0;            ///< potential energy that came or went with the gravity switch
-    double stepper = 0;             ///< method "located": what the steps of bodies handed over gained or lost by themselves
     double worst_drift = 0;
   } energy;
   struct Momentum {
     Vec3<double> start = zero3<double>(), end = start;
     Vec3<double> external = start;  ///< given by gravity, forces, planes (and, for L, by position corrections)
-    Vec3<double> stepper = start;   ///< as in energy
     double worst_drift = 0;
   } linear, angular;                ///< N s; kg m²/s about the world's origin
   struct Skips {

@@ -248,15 +248,28 @@ Outcome<bool> check_scene(const Scene& s) {
     return Fault{Kind::unsupported, "method", fmt::format("is '{}', which is none of the methods{}; known: {}", s.method, did_you_mean(s.method, known), fmt::join(known, ", "))};
   if (!(s.dt >= least && s.dt <= most)) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", must be in [1e-30, 1e30] s"};
   if (!(s.until >= 0 && s.until <= most)) return Fault{Kind::out_of_range, "until", "is " + shown(s.until) + ", must be in [0, 1e30] s"};
-  if (s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};
+  if (s.method != "located" && s.until / s.dt > 1e12) return Fault{Kind::out_of_range, "dt", "is " + shown(s.dt) + ", gives more than 1e12 steps until " + shown(s.until)};
   if (!(s.every >= 0 && s.every <= most)) return Fault{Kind::out_of_range, "every", "is " + shown(s.every) + ", must be 0 (each step) or at most 1e30 s"};
-  if (s.every > 0 && s.until / s.every > 1e12) return Fault{Kind::out_of_range, "every", "is " + shown(s.every) + ", gives more than 1e12 rows until " + shown(s.until)};
+  if (s.every > 0)
+    if (const auto ok = check_rows(s); !ok) return ok.fault();
   for (std::size_t i = 1; i < s.actions.size(); ++i)
     if (s.actions[i].at < s.actions[i - 1].at) return Fault{Kind::out_of_range, element("actions", i) + ".at", "is " + shown(s.actions[i].at) + ", must not be before the action above it"};
   const bool cone = s.friction_law == FrictionLaw::coulomb || s.friction_law == FrictionLaw::stronge;
   if (cone && s.surface.dynamic_friction() > s.surface.static_friction())
     return Fault{Kind::out_of_range, "dynamic_friction", "is " + shown(s.surface.dynamic_friction()) + ", must not exceed static_friction with friction_law " + name(s.friction_law)};
   return true;
+}
+
+double output_interval(const Scene& s) {
+  if (s.every > 0) return s.every;
+  return s.method == "located" ? std::max(1.0 / 60, s.until / 1e4) : s.dt;
+}
+Outcome<bool> check_rows(const Scene& s) {
+  constexpr double most_rows = 2e7;  // of 0.2 kB
+  const double interval = s.method == "located" ? output_interval(s) : std::max(output_interval(s), s.dt);
+  const double rows = double(s.bodies.size()) * (s.until / interval + 1);
+  if (rows <= most_rows) return true;
+  return Fault{Kind::out_of_range, "every", fmt::format("is {}, gives {:.3g} rows of {} cuboid{} until {}, at most 2e7 are kept", shown(s.every), rows, s.bodies.size(), s.bodies.size() == 1 ? "" : "s", shown(s.until))};
 }
 
 Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {

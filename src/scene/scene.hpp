@@ -46,7 +46,7 @@ struct Scene {
   std::vector<SceneForce> forces;
   std::vector<SceneAction> actions;   ///< in order of time
   std::string method = "sheet";
-  double dt = 1.0 / 240, until = 20, every = 0;  ///< every 0: each step
+  double dt = 1.0 / 240, until = 20, every = 0;  ///< every 0: as output_interval says
   std::uint64_t seed = 1;             ///< of the vacuum's offsets
 };
 
@@ -63,5 +63,12 @@ Scene builtin_scene(const std::string& name, std::uint64_t seed);
 /// Checks what parsing cannot see in one field (dt against until, actions in order, friction law against its
 /// coefficients); also what the command line changed.
 Outcome<bool> check_scene(const Scene& scene);
+
+/// Time between outputs, s: `every`; where that is 0 each step, or with method "located", which has no steps, 1/60 s or a
+/// ten-thousandth of `until`, whichever is longer.
+double output_interval(const Scene& scene);
+/// Fault where a run would give more than 2e7 rows, one for each body and output time. check_scene asks where `every` is
+/// given; where it is 0, who keeps the rows has to.
+Outcome<bool> check_rows(const Scene& scene);
 
 }  // namespace rigor

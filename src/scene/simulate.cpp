@@ -23,7 +23,7 @@ RunSummary simulate(const Scene& scene, const Observer& observe, const ImpactObs
     const bool due = passed > rows;
     rows = passed;
     const bool stop = last || !summary.finite || interrupted() != 0;
-    if (due || stop) observe(t_next, world.states());
+    if ((due || stop) && summary.finite) observe(t_next, world.states());
     if (stop && !last) {
       summary.interrupted = interrupted() != 0;
       break;

@@ -7,13 +7,14 @@
 
 namespace rigor {
 
-/// Called at t = 0, at every output time and at `until`: the states of all bodies, in scene order.
+/// Called at t = 0, at every output time and at the end: the states of all bodies, in scene order, every number finite.
 using Observer = std::function<void(double t, const std::vector<State<double>>& states)>;
 
-/// A time in which a body was not in exact flight (method "located" only).
+/// A body was not in exact flight (method "located" only): so often for this reason, with none for another reason in between.
 struct HandOver {
   std::size_t body;
-  double from, to;       ///< s
+  long times;
+  double from, to;       ///< s: beginning of the first time, end of the last
   std::string why;
 };
 /// Bounces that ended by rule: the height of the next one was below 1e-14 of the cuboid's size.

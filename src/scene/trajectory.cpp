@@ -26,21 +26,15 @@ Vec4<double> pose_quaternion(const Mat3<double>& R) {
   return quaternion_of<double>(svd.matrixU() * svd.matrixV().transpose());
 }
 
-TrajectoryCsv::TrajectoryCsv(std::size_t bodies)
-    : last_(bodies, Vec4<double>(1, 0, 0, 0)), text_("t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n") {}
-
 void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const State<double>& s = states[i];
-    Vec4<double> q = pose_quaternion(s.R_WB);
-    if (q.dot(last_[i]) < 0) q = -q;
-    last_[i] = q;
     append(text_, t);
     text_ += "," + std::to_string(i);
     const auto add_all = [&](const auto& v) {
       for (int k = 0; k < v.size(); ++k) text_ += ",", append(text_, v[k]);
     };
-    add_all(s.p_WB), add_all(q), add_all(s.v_WB), add_all(s.w_WB);
+    add_all(s.p_WB), add_all(pose_quaternion(s.R_WB)), add_all(s.v_WB), add_all(s.w_WB);
     text_ += "\n";
   }
 }
@@ -50,7 +44,7 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
   const Ledger& l = run.ledger;
   const Ledger::Energy& e = l.energy;
   nlohmann::ordered_json handed_over = nlohmann::ordered_json::array(), accumulations = handed_over;
-  for (const HandOver& h : run.handed_over) handed_over.push_back({{"body", h.body}, {"from", h.from}, {"to", h.to}, {"why", h.why}});
+  for (const HandOver& h : run.handed_over) handed_over.push_back({{"body", h.body}, {"times", h.times}, {"from", h.from}, {"to", h.to}, {"why", h.why}});
   for (const Accumulation& a : run.accumulations) accumulations.push_back({{"body", a.body}, {"at", a.at}, {"tail", a.tail}});
   nlohmann::ordered_json json{
       {"schema", "rigor.summary/1"},
@@ -68,7 +62,7 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
       {"interrupted", run.interrupted},
       {"energy",
        {{"start", e.start}, {"end", e.end}, {"work", e.work}, {"restitution_loss", e.restitution_loss},
-        {"friction_loss", e.friction_loss}, {"correction", e.correction}, {"switched", e.switched}, {"stepper", e.stepper}, {"worst_drift", e.worst_drift}}},
+        {"friction_loss", e.friction_loss}, {"correction", e.correction}, {"switched", e.switched}, {"worst_drift", e.worst_drift}}},
       {"linear_momentum", momentum(l.linear)},
       {"angular_momentum", momentum(l.angular)},
       {"impacts", {{"total", l.impacts}, {"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}}},

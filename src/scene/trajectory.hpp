@@ -10,17 +10,15 @@ namespace rigor {
 Vec4<double> pose_quaternion(const Mat3<double>& R);
 
 /// Collects `trajectory.csv`: t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz, a row per body and output time, shortest
-/// digits that read back to the same double. The quaternion keeps its sign from row to row, starting with w ≥ 0; where
-/// R is no rotation it is that of the nearest one.
+/// digits that read back to the same double. The quaternion has w ≥ 0, whatever rows are asked for; where R is no rotation
+/// it is that of the nearest one.
 class TrajectoryCsv {
  public:
-  explicit TrajectoryCsv(std::size_t bodies);
   void add(double t, const std::vector<State<double>>& states);
   const std::string& text() const { return text_; }
 
  private:
-  std::vector<Vec4<double>> last_;
-  std::string text_;
+  std::string text_ = "t,body,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
 };
 
 /// `summary.json`: ledgers, contacts, steps, wall time (docs/scenes.md). Numbers that are not finite are strings.

@@ -101,6 +101,12 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"run drop --dt 0", "--dt is 0, must be in [1e-30, 1e30] s"},
       {"run drop --dt nan", "--dt is nan, must be in"},
       {"run drop --until", "--until needs a value"},
+      {"run \"\"", "SCENE is empty, must be a file or a built-in scene"},
+      {"run drop --out \"\"", "--out is empty, must be a directory"},
+      {"run drop --method \"\"", "--method is '', which is none of the methods; known: sheet, "},
+      {"run drop --explain --quiet", "--explain excludes --quiet"},
+      {"run drop --until 1e6 --out " "/nowhere/rows", "--every is 0, gives 2.4e+08 rows of 1 cuboid until 1e+06, at most 2e7 are kept"},
+      {"run drop --method located --every 1e-9", "--every is 1e-09, gives 3e+09 rows of 1 cuboid until 3, at most 2e7 are kept"},
       {"run drop --dt abc", "--dt is abc, must be in [1e-30, 1e30] s"},
       {"run drop --seed x", "--seed is x, must be in [1, 9007199254740992]"},
       {"run drop --beside nope", "known: sheet, "},
@@ -212,6 +218,49 @@ TEST_F(Program, ComparesMethodsLineUnderLine) {
     EXPECT_NEAR(energy, double(alone["energy"]["end"]), 1e-5 * energy) << line;
     EXPECT_NEAR(drift, double(alone["energy"]["worst_drift"]), 0.06 * drift) << line;
   }
+}
+
+// Every key of summary.json stands in the table of docs/scenes.md, in a row of the key it is in.
+TEST_F(Program, WritesASummaryWhoseKeysAreDocumented) {
+  const std::string landing = file("landing.json", R"({"cuboids": [{"size": [1, 1, 1], "mass": 1, "position": [0, 2, 0]}, {"size": [1, 1, 1], "mass": 1, "position": [9, 0.4, 0]}],
+    "planes": [{"point": [0, 0, 0], "normal": [0, 1, 0]}], "restitution": 0.5, "static_friction": 0.5, "method": "located", "until": 3})");
+  const auto summary = nlohmann::json::parse(rigor_says("run " + landing + " --json").text);
+  ASSERT_FALSE(summary.at("handed_over").empty() || summary.at("accumulations").empty());
+  const std::string page = *read_file(RIGOR_SOURCE_DIR "/docs/scenes.md");
+  std::vector<std::string> rows;
+  std::istringstream lines(page.substr(page.find("`summary.json`: the run's")));
+  for (std::string line; std::getline(lines, line) && !line.starts_with("`replay.html`");)
+    if (line.starts_with("| `")) rows.push_back(line.substr(0, line.find(" |", 2)) + line.substr(line.rfind(" | ")));
+  const auto documented = [&](const std::string& in, const std::string& key) {
+    return std::any_of(rows.begin(), rows.end(), [&](const std::string& row) { return contains(row, "`" + key + "`") && (in.empty() || contains(row.substr(0, row.find(": ")), "`" + in + "`")); });
+  };
+  for (const auto& [key, value] : summary.items()) {
+    EXPECT_TRUE(documented("", key)) << key;
+    const auto& inner = value.is_array() && !value.empty() ? value[0] : value;
+    if (!inner.is_object()) continue;
+    for (const auto& [name, ignored] : inner.items()) EXPECT_TRUE(documented(key, name)) << key << "." << name;
+  }
+  EXPECT_FALSE(documented("", "stepper")) << "the test must be able to fail";
+}
+
+TEST_F(Program, ShowsTheFirstOfALongListAndWhereTheRestIs) {
+  std::string cuboids;
+  for (int k = 0; k < 14; ++k) cuboids += (k == 0 ? "" : ", ") + std::string(R"({"size": [1, 1, 1], "mass": 1, "position": [)") + std::to_string(3 * k) + ", 0.4, 0]}";
+  const std::string scene = file("many.json", R"({"cuboids": [)" + cuboids + R"(], "planes": [{"point": [0, 0, 0], "normal": [0, 1, 0]}], "method": "located", "until": 0.5})");
+  const Ran ran = rigor_says("run " + scene);
+  EXPECT_TRUE(contains(ran.text, "handed over        cuboid 9,")) << ran.text;
+  EXPECT_FALSE(contains(ran.text, "handed over        cuboid 10,")) << ran.text;
+  EXPECT_TRUE(contains(ran.text, "and 4 more: summary.json has all")) << ran.text;
+  expect_eighty_columns(ran.text);
+  EXPECT_EQ(nlohmann::json::parse(rigor_says("run " + scene + " --json").text).at("handed_over").size(), 14u);
+}
+
+// What is printed stands before what went wrong, also where both go to one pipe: no line inside another.
+TEST_F(Program, EndsWithTheReasonAfterAnInterrupt) {
+  const Ran ran = rigor_says("run assignment --until 1e6 --every 1000 --explain", "timeout --foreground --preserve-status -s INT 1 ");
+  EXPECT_EQ(ran.status, 130) << ran.text;
+  const std::string last = ran.text.substr(ran.text.rfind('\n', ran.text.size() - 2) + 1);
+  EXPECT_TRUE(last.starts_with("rigor run: interrupted at t = ") && last.ends_with("; what is shown and written ends there\n")) << ran.text;
 }
 
 TEST_F(Program, NamesTheFileAMethodCannotRun) {

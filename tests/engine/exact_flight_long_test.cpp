@@ -45,7 +45,7 @@ TEST(ExactFlightLong, HoldsOnThreeHundredRandomCuboids) {
   Pair worst{0, 0};
   for (int k = 0; k < 300; ++k) {
     const double a = 1, b = std::pow(100, U(random)), c = std::pow(100, U(random));
-    const Pair e = errors(V(b * b + c * c, a * a + c * c, a * a + b * b), V(N(random), N(random), N(random)), 10);
+    const Pair e = errors(V(b * b + c * c, a * a + c * c, a * a + b * b), V{N(random), N(random), N(random)}, 10);
     worst = {std::fmax(worst.plain, e.plain), std::fmax(worst.extended, e.extended)};
   }
   std::printf("300 random cuboids, aspect to 100, t = 10: worst %.1e (plain), %.1e (extended)\n", worst.plain, worst.extended);

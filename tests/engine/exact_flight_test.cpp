@@ -52,7 +52,7 @@ TEST(ExactFlight, HoldsForRandomCuboids) {
   double plain = 0, extended = 0;
   for (int k = 0; k < 12; ++k) {
     const double a = 1, b = std::pow(100, U(random)), c = std::pow(100, U(random));
-    const V I(b * b + c * c, a * a + c * c, a * a + b * b), w(N(random), N(random), N(random));
+    const V I(b * b + c * c, a * a + c * c, a * a + b * b), w{N(random), N(random), N(random)};
     plain = std::fmax(plain, errors(I, w, 2, Precision::plain).attitude);
     extended = std::fmax(extended, errors(I, w, 2, Precision::extended).attitude);
   }

@@ -24,9 +24,9 @@ std::vector<ExactFlight> flights(int count, unsigned seed) {
   std::normal_distribution<double> N;
   std::vector<ExactFlight> all;
   for (int i = 0; i < count; ++i) {
-    const Mat3<double> R = rotation_of<double>(Vec4<double>(N(random), N(random), N(random), N(random)).normalized());
+    const Mat3<double> R = rotation_of<double>(Vec4<double>{N(random), N(random), N(random), N(random)}.normalized());
     const double a = std::pow(30, U(random)), b = std::pow(30, U(random)), c = std::pow(30, U(random));
-    V I(b * b + c * c, a * a + c * c, a * a + b * b), w(N(random), N(random), N(random));
+    V I(b * b + c * c, a * a + c * c, a * a + b * b), w{N(random), N(random), N(random)};
     if (i % 5 == 0) std::tie(I, w) = awkward[i / 5 % std::size(awkward)];
     all.push_back(*ExactFlight::make(I, w, R));
   }

@@ -10,9 +10,8 @@ using V = Vec3<double>;
 
 const Observer nothing = [](double, const std::vector<State<double>>&) {};
 
-// A cuboid that begins inside a ceiling falls in the stepper for a while. Its step is v' = v + h g, p' = p + h v', so kinetic
-// energy grows by m (v·g h + g² h²/2) and the potential one falls by m (v·g h + g² h²): m g² h²/2 is lost, every step.
-TEST(LocatedLedger, TellsWhatTheStepperLosesByItself) {
+// A cuboid that begins inside a ceiling falls in the stepper for a while, on its parabola: no step gains or loses anything.
+TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   Scene s;
   s.method = "located";
   s.planes.push_back(*Plane<double>::make(V(0, 5, 0), V(0, -1, 0)));
@@ -23,10 +22,9 @@ TEST(LocatedLedger, TellsWhatTheStepperLosesByItself) {
   const auto run = simulate_located(s, nothing);
   ASSERT_TRUE(run);
   ASSERT_EQ(run->handed_over.size(), 1u);
-  const double steps = run->handed_over[0].to / s.dt, lost = 2 * 9.8 * 9.8 * s.dt * s.dt / 2;
-  EXPECT_GE(steps, 10);
-  EXPECT_NEAR(run->ledger.energy.stepper, -steps * lost, 64 * 0x1p-53 * steps * 100) << "energies of 100 J, a few roundings a step";
-  EXPECT_NEAR(run->ledger.energy.correction, -2 * 9.8 * 0.15, 1e-13) << "pushed down by 4.9 + 0.5/2 - 5 m";
+  EXPECT_NEAR(run->handed_over[0].to, 11 * s.dt, 1e-15) << "one in which it was pushed out, and ten";
+  const double deep = 0.15 - 9.8 * s.dt * s.dt / 2;
+  EXPECT_NEAR(run->ledger.energy.correction, -2 * 9.8 * deep, 1e-13) << "pushed down by 4.9 + 0.5/2 - 5 m less the fall of a step";
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
 }
 
@@ -41,7 +39,6 @@ TEST(LocatedLedger, ExplainsTheAssignmentsScene) {
     ASSERT_TRUE(run);
     EXPECT_FALSE(run->handed_over.empty()) << seed;
     const Ledger& l = run->ledger;
-    EXPECT_LT(l.energy.stepper, -1) << seed;
     // a step and an impact leave a few u of the energies and momenta they exchange
     const double roundings = double(l.impacts + run->steps) * 8 * 0x1p-53;
     EXPECT_LT(l.energy.worst_drift, roundings * l.energy.start) << seed;

@@ -55,7 +55,7 @@ void expect_same_bits(const Record& a, const Record& b, int world) {
 Scene world_of(Draw& draw, int w) {
   Scene s;
   s.surface = *Surface<double>::make(w % 6 == 0 ? 1 : draw.in(0, 1), w % 3 == 0 ? 0 : 0.4, w % 3 == 0 ? 0 : 0.3);
-  s.gravity = w % 4 == 0 ? zero3<double>() : V(draw.in(-1, 1), draw.in(-12, 2), draw.in(-1, 1));
+  s.gravity = w % 4 == 0 ? zero3<double>() : V{draw.in(-1, 1), draw.in(-12, 2), draw.in(-1, 1)};
   const double room = draw.in(1.5, 6);
   if (w % 5 != 4)
     for (int axis = 0; axis < 3; ++axis)
@@ -69,7 +69,8 @@ Scene world_of(Draw& draw, int w) {
     State<double> b;
     b.p_WB = draw.vector(room - 1), b.R_WB = draw.rotation(), b.v_WB = draw.vector(w % 7 == 0 ? 60 : 5), b.w_WB = draw.vector(9);
     const double giant = draw.in(0, 9) < 1 ? 3 : 1, thin = draw.in(0, 4) < 1 ? 1e-3 : 1;
-    s.bodies.push_back({*Cuboid<double>::make(draw.in(0.1, 5), V(giant * draw.in(0.1, 0.8), thin * draw.in(0.1, 0.8), draw.in(0.1, 0.8))), b});
+    const double mass = draw.in(0.1, 5);
+    s.bodies.push_back({*Cuboid<double>::make(mass, V(giant, thin, 1).cwiseProduct(draw.sizes(0.1, 0.8))), b});
   }
   if (w % 4 == 1) s.actions = {{0.4, SceneAction::Do::gravity_off}, {0.8, SceneAction::Do::gravity_on}};
   s.method = "located";
@@ -106,7 +107,7 @@ TEST(LocatedSkip, ChangesNoBit) {
 TEST(LocatedSkip, ABoxHoldsItsFlight) {
   Draw draw;
   for (int k = 0; k < 2000; ++k) {
-    const auto shape = *Cuboid<double>::make(1, V(draw.in(0.1, 1), draw.in(0.1, 1), draw.in(0.1, 1)));
+    const auto shape = *Cuboid<double>::make(1, draw.sizes(0.1, 1));
     State<double> start;
     start.p_WB = draw.vector(k % 3 == 0 ? 1e6 : 3), start.v_WB = draw.vector(10), start.w_WB = draw.vector(5);
     const Flight flight(shape, start, k % 5 == 0 ? zero3<double>() : draw.vector(10));

@@ -34,6 +34,20 @@ TEST(ParseScene, ReadsEveryKey) {
   EXPECT_EQ(s->seed, 7u);
 }
 
+// Limits are about what a run does: steps where there are steps, rows where they are asked for.
+TEST(ParseScene, LimitsStepsAndRows) {
+  const auto read = [](const std::string& keys) {
+    const auto s = parse_scene(R"({"cuboids": [{"size": [1, 1, 1], "mass": 1, "position": [0, 0, 0]}], )" + keys + "}", "f.json");
+    return s ? "" : s.fault().text();
+  };
+  EXPECT_EQ(read(R"("dt": 1e-12, "until": 10)"), "f.json: dt is 1e-12, gives more than 1e12 steps until 10");
+  EXPECT_EQ(read(R"("dt": 1e-12, "until": 1e10, "method": "located")"), "") << "no steps; by default ten thousand rows";
+  EXPECT_EQ(read(R"("every": 1e-9, "until": 10, "method": "located")"), "f.json: every is 1e-09, gives 1e+10 rows of 1 cuboid until 10, at most 2e7 are kept");
+  EXPECT_EQ(read(R"("every": 1e-9, "until": 10)"), "") << "a step gives one row at most";
+  EXPECT_EQ(read(R"("every": 1e-7, "dt": 1e-7, "until": 10)"), "f.json: every is 1e-07, gives 1e+08 rows of 1 cuboid until 10, at most 2e7 are kept");
+  EXPECT_EQ(read(R"("dt": 1e-7, "until": 10)"), "") << "nobody asked for rows: who keeps them asks";
+}
+
 // A JSON pointer, the value put there, and what must be said.
 struct Bad {
   const char *where, *value, *says;
@@ -72,7 +86,6 @@ TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
       {"/dt", "1e-20", "f.json: dt is 1e-20, gives more than 1e12 steps until 10"},
       {"/until", "-1", "f.json: until is -1, must be in [0, 1e30] s"},
       {"/every", "-1", "f.json: every is -1, must be 0 (each step) or at most 1e30 s"},
-      {"/every", "1e-20", "f.json: every is 1e-20, gives more than 1e12 rows until 10"},
       {"/gravity/1", "-1e155", "f.json: gravity[1] is -1e+155, must be in [-1e30, 1e30]"},
       {"/seed", "-1", "f.json: seed must be a whole number >= 0"},
       {"/restituton", "1", "f.json: scene has an unknown key 'restituton' (did you mean 'restitution'?)"},
