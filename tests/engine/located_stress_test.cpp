@@ -210,7 +210,7 @@ TEST(LocatedStress, WhatGlidesStaysFlatAboutTheMiddleAxisToo) {
   State<double> start;
   start.R_WB << V(2, 1, -2) / 3, n, V(2, -2, 1) / 3;
   start.R_WB = start.R_WB * exp_so3<double>(V(0, 0.3, 0));
-  start.p_WB = (0.25 + 1e-15) * n, start.w_WB = 3 * n;
+  start.p_WB = (0.25 + 1e-15) * n, start.w_WB = 300 * n;
   Scene s = floor_scene(*Cuboid<double>::make(2, {1, 0.5, 0.3}), start, 0, 0);
   s.planes = {*Plane<double>::make(V(0, 0, 0), n)};
   s.until = 100, s.every = 1;
