@@ -10,6 +10,7 @@
 #include <rigor/cli/wrote.hpp>
 #include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
+#include <rigor/grader/printable.hpp>
 #include <thread>
 
 namespace rigor::cli {
@@ -46,16 +47,6 @@ int class_command(const Options& options) {
   if (inside(out, directory)) return bad_input("--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
   if (!options.against.empty() && inside(out, options.against) && inside(options.against, out))
     return bad_input("--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
-  if (std::filesystem::is_regular_file(directory) && grader::archive_name(directory)) {
-    const std::filesystem::path unpacked = out / ".unpacked";
-    std::error_code ec;
-    std::filesystem::remove_all(unpacked, ec);
-    const auto done = grader::unpack_class(directory, unpacked);
-    if (!done) return bad_input(done.fault().text());
-    directory = *done;
-  }
-  const auto entries = grader::read_roster(directory);
-  if (!entries) return bad_input(entries.fault().text());
   std::vector<grader::ClassRow> before;
   if (!options.against.empty()) {
     const auto read = grader::read_class(options.against);
@@ -70,9 +61,23 @@ int class_command(const Options& options) {
     if (!read) return bad_input(read.fault().text());
     rubric = *read;
   }
+  std::error_code ec;
+  if (std::filesystem::is_regular_file(directory, ec) && grader::archive_name(directory)) {
+    const auto unpacked = grader::unpack_class(directory, out / ".unpacked");
+    if (!unpacked) return bad_input(unpacked.fault().text());
+    directory = *unpacked;
+  }
+  const auto entries = grader::read_roster(directory);
+  if (!entries) {
+    if (directory != options.directory) std::filesystem::remove_all(out / ".unpacked", ec), std::filesystem::remove(out, ec);  // where it is empty
+    return bad_input(entries.fault().text());
+  }
+  std::filesystem::create_directories(out, ec);
+  if (ec) return bad_input("--out: " + options.out + " cannot be written: " + ec.message());
   if (options.seed != 0) rubric.seed = options.seed;
-  if (options.cases != 0) rubric.cases = options.cases;
   grader::ClassOptions run;
+  if (options.cases > rubric.cases) run.asked_cases = options.cases;
+  if (options.cases != 0) rubric.cases = options.cases;
   run.out = options.out;
   run.jobs = options.jobs;
   run.fresh = options.fresh;
@@ -100,12 +105,12 @@ int class_command(const Options& options) {
     if (!options.quiet) std::printf("%d of %d rows filled in\n", filled->filled, filled->rows);
   }
   if (!options.quiet)
-    for (const std::string& student : stale) std::printf("an earlier report taken away, it no longer holds: %s\n", student.c_str());
+    for (const std::string& student : stale) std::printf("an earlier report taken away, it no longer holds: %s\n", grader::printable(student).c_str());
   int graded = 0, reused = 0;
   for (const auto& r : rows) {
     graded += r.trouble.empty();
     reused += r.reused;
-    if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", r.entry.student.c_str(), r.trouble.c_str());
+    if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", grader::printable(r.entry.student).c_str(), r.trouble.c_str());
   }
   if (!options.quiet) {
     std::printf("%d of %zu graded (%d unchanged since last time)\n", graded, rows.size(), reused);

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -254,6 +255,9 @@ struct Options {
 
 int export_command(const Options& options) {
   const auto bad_input = [](const std::string& text) { return std::fprintf(stderr, "rigor export: %s\n", text.c_str()), 2; };
+  const std::vector<std::string> known{"kit", "autolab", "gradescope"};
+  if (std::find(known.begin(), known.end(), options.what) == known.end())
+    return bad_input("'" + options.what + "' is none of kit, autolab, gradescope" + did_you_mean(options.what, known));
   std::string text = grader::default_rubric_text();
   if (!options.rubric.empty()) {
     const auto own = read_file(options.rubric, 1u << 20);
@@ -266,12 +270,9 @@ int export_command(const Options& options) {
   if (fs::exists(options.directory, ec) && (!fs::is_directory(options.directory, ec) || !fs::is_empty(options.directory, ec)))
     return bad_input(options.directory + ": is not empty, must be a new or an empty directory: nothing in it is written over");
   for (const std::string& warning : grader::warnings(*rubric, options.what != "kit")) std::fprintf(stderr, "rigor export: %s\n", warning.c_str());
-  const auto written = options.what == "kit"      ? write_kit(options.directory, text, *rubric)
+  const auto written = options.what == "kit"       ? write_kit(options.directory, text, *rubric)
                        : options.what == "autolab" ? write_autolab(options.directory, text, *rubric)
-                       : options.what == "gradescope"
-                           ? write_gradescope(options.directory, text, *rubric)
-                           : Outcome<bool>(Fault{Fault::Kind::unknown_key, "", "'" + options.what + "' is none of kit, autolab, gradescope" +
-                                                                                 did_you_mean(options.what, {"kit", "autolab", "gradescope"})});
+                                                   : write_gradescope(options.directory, text, *rubric);
   if (!written) return bad_input(written.fault().text());
   if (options.what == "kit") say_wrote(options.directory, {"README.md", "CMakeLists.txt", "practice", "src", "include", "rigor"});
   else if (options.what == "autolab") say_wrote(options.directory, {"rigor.tar", "rigor"});

@@ -12,8 +12,10 @@
 #include <rigor/cli/grade.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/wrote.hpp>
+#include <rigor/grader/archive.hpp>
 #include <rigor/grader/formats.hpp>
 #include <rigor/grader/judge.hpp>
+#include <rigor/grader/roster.hpp>
 
 namespace rigor::cli {
 namespace {
@@ -77,8 +79,19 @@ Outcome<bool> write_failures(const std::string& why, const grader::Rubric& rubri
   return true;
 }
 
+// A file out of a platform's download is one of several of its student's.
+Outcome<grader::Submission> submission_at(const std::filesystem::path& path) {
+  std::error_code ec;
+  if (std::filesystem::is_regular_file(path, ec) && !grader::archive_name(path))
+    if (const auto roster = grader::read_roster(std::filesystem::absolute(path, ec).parent_path()))
+      for (const grader::Entry& entry : *roster)
+        for (const auto& upload : entry.uploads)
+          if (std::filesystem::equivalent(upload, path, ec)) return grader::open_submission(entry.uploads);
+  return grader::open_submission(path);
+}
+
 Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, const Options& options) {
-  const auto submission = grader::open_submission(path);
+  const auto submission = submission_at(path);
   if (!submission) return submission.fault();
   grader::Selection selection{chosen, options.single_case};
   grader::BuildOptions build;
@@ -146,7 +159,7 @@ int grade_command(const Options& options) {
   if (!options.out.empty() && options.paths.size() > 1) {  // each writes below --out by its own name
     std::map<std::string, std::string> taken;
     for (const std::string& path : options.paths) {
-      const std::string name = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).filename().string();
+      const std::string name = grader::submission_name(path);
       if (const auto [at, first] = taken.emplace(name, path); !first)
         return bad_input("--out: " + at->second + " and " + path + " would both write to " + (std::filesystem::path(options.out) / name).string() + "; give each an --out of its own");
     }

@@ -77,6 +77,7 @@ ClassRow grade_entry(const Entry& entry, const Rubric& rubric, const ClassOption
   report.tool = options.tool;
   report.submission = entry.student;
   report.submission_path = entry.uploads.front().string();
+  report.asked_cases = options.asked_cases;
   for (const auto& [name, text] : {std::pair{"report.html", report_html(report)}, std::pair{"report.txt", report_text(report, false)},
                                    std::pair{"report.json", report_json(report)}})  // json last: it marks the rest as whole
     if (const auto written = write_file(dir / name, text); !written) return troubled(entry, written.fault().text());

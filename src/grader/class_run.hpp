@@ -25,6 +25,7 @@ struct ClassOptions {
   int jobs = 1;
   bool fresh = false;                            ///< grade again what has a report already
   std::string tool;
+  int asked_cases = 0;                           ///< where the command line asked for more than the rubric; else 0
   std::function<void(int done, int all)> progress = [](int, int) {};
 };
 
@@ -43,7 +44,7 @@ std::vector<std::string> remove_stale_reports(const std::filesystem::path& out, 
 Outcome<std::vector<ClassRow>> read_class(const std::filesystem::path& out);
 
 /// What a regrade changed: student, points before and after, and why (files, tool or rubric differ; checks whose verdict
-/// changed; new; gone). Students whose points and verdicts are the same are left out.
+/// changed; new; gone). Left out are students whose points and verdicts are the same, and those without a grade before and after.
 struct Change {
   std::string student;
   double before, after;         ///< NaN where there is no grade

@@ -32,8 +32,9 @@ using Group = std::vector<History*>;
 
 bool explains(const Group& group, const Habits& habits, bool everything = false) {
   return std::all_of(group.begin(), group.end(), [&](const History* h) {
-    return !(everything || comparable(*h->result->check)) || std::all_of(h->records.begin(), h->records.end(), [&](const Record& r) {
-      return agrees(*h->result->check, r, habits);
+    const Check& check = *h->result->check;
+    return !(comparable(check) || (everything && check.points > 0)) || std::all_of(h->records.begin(), h->records.end(), [&](const Record& r) {
+      return agrees(check, r, habits);
     });
   });
 }

@@ -6,36 +6,47 @@
 #include <rigor/base/file.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/grader/class_run.hpp>
+#include <rigor/grader/printable.hpp>
 
 namespace rigor::grader {
 namespace {
 
 using Line = std::vector<std::string>;
 
-// RFC 4180. nullopt where a quote is never closed.
-std::optional<std::vector<Line>> parse_csv(const std::string& text) {
-  std::vector<Line> lines{{""}};
-  bool quoted = false;
-  for (std::size_t i = text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0; i < text.size(); ++i) {
-    std::string& cell = lines.back().back();
-    const char c = text[i];
-    if (quoted) {
-      if (c != '"') cell += c;
-      else if (i + 1 < text.size() && text[i + 1] == '"') cell += '"', ++i;
+/// A CSV file that is written back as it was: where each cell stands in it.
+struct Csv {
+  struct Place {
+    std::size_t begin, end;  ///< with its quotes
+  };
+  std::string text;
+  std::vector<Line> lines;
+  std::vector<std::vector<Place>> places;
+};
+
+// RFC 4180, lines ending in any system's way. nullopt where a quote is never closed.
+std::optional<Csv> parse_csv(const std::string& text) {
+  Csv csv{text, {}, {}};
+  std::size_t i = text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0;
+  for (bool fresh = true; i < text.size();) {
+    if (fresh) csv.lines.emplace_back(), csv.places.emplace_back();
+    const std::size_t begin = i;
+    std::string cell;
+    bool quoted = text[i] == '"';
+    if (quoted) ++i;
+    for (; i < text.size() && (quoted || (text[i] != ',' && text[i] != '\n' && text[i] != '\r')); ++i) {
+      if (!quoted || text[i] != '"') cell += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"') cell += text[i++];
       else quoted = false;
-    } else if (c == '"' && cell.empty()) {
-      quoted = true;
-    } else if (c == ',') {
-      lines.back().emplace_back();
-    } else if (c == '\n') {
-      lines.push_back({""});
-    } else if (c != '\r') {
-      cell += c;
     }
+    if (quoted) return std::nullopt;
+    csv.lines.back().push_back(cell);
+    csv.places.back().push_back({begin, i});
+    fresh = i >= text.size() || text[i] != ',';
+    if (text.compare(i, 2, "\r\n") == 0) ++i;
+    if (i < text.size()) ++i;
+    if (!fresh && i == text.size()) csv.lines.back().emplace_back(), csv.places.back().push_back({i, i});
   }
-  if (quoted) return std::nullopt;
-  if (lines.back() == Line{""}) lines.pop_back();
-  return lines;
+  return csv;
 }
 std::string write_csv(const std::vector<Line>& lines) {
   std::string out;
@@ -100,8 +111,8 @@ std::string bare(const std::string& name) {
 /// Which rows of a gradebook are whose.
 class Gradebook {
  public:
-  Gradebook(std::vector<Line> lines, std::vector<std::pair<std::size_t, Says>> keys, std::size_t first, std::size_t target)
-      : lines_(std::move(lines)), keys_(std::move(keys)), first_(first), target_(target) {}
+  Gradebook(Csv csv, std::vector<std::pair<std::size_t, Says>> keys, std::size_t first, std::size_t target)
+      : csv_(std::move(csv)), keys_(std::move(keys)), first_(first), target_(target) {}
 
   Filled fill(const std::vector<ClassRow>& rows) {
     Filled filled;
@@ -112,19 +123,20 @@ class Gradebook {
     std::map<std::size_t, std::vector<Claim>> claims;
     for (const ClassRow& row : rows)
       for (const Person& person : row.entry.people.empty() ? std::vector<Person>{{.name = row.entry.student}} : row.entry.people) {
-        const std::string who = row.entry.people.size() > 1 ? row.entry.student + ": " + (person.name.empty() ? person.email : person.name) : row.entry.student;
+        const std::string who = printable(row.entry.people.size() > 1 ? row.entry.student + ": " + (person.name.empty() ? person.email : person.name) : row.entry.student);
         const auto found = rows_of(person, row.entry.people.empty());
         if (found.size() == 1) claims[found.front()].push_back({&row, who});
         else if (found.empty()) filled.remarks.push_back(who + ": " + result(row) + "; no row of the gradebook is this student's");
         else filled.remarks.push_back(who + ": " + result(row) + "; not filled in, several rows fit: " + title(found[0]) + " and " + title(found[1]));
       }
-    for (std::size_t k = first_; k < lines_.size(); ++k) {
+    std::map<std::size_t, std::string> points;  // by line
+    for (std::size_t k = first_; k < csv_.lines.size(); ++k) {
       if (!is_student(k)) {
         possible(k, rows, filled);
         continue;
       }
       ++filled.rows;
-      const std::string was = target_ < lines_[k].size() ? trimmed(lines_[k][target_]) : "", kept = was.empty() ? "stays empty" : "keeps " + was;
+      const std::string was = target_ < csv_.lines[k].size() ? trimmed(csv_.lines[k][target_]) : "", kept = was.empty() ? "stays empty" : "keeps " + was;
       const auto at = claims.find(k);
       if (at == claims.end()) {
         filled.remarks.push_back(title(k) + ": not filled in, nobody's submission; " + kept);
@@ -135,20 +147,32 @@ class Gradebook {
       } else {
         const auto before = number(was);
         if (!was.empty() && (!before || *before != claim.row->score)) filled.remarks.push_back(title(k) + ": " + was + " overwritten with " + points_text(claim.row->score));
-        if (lines_[k].size() <= target_) lines_[k].resize(target_ + 1);
-        lines_[k][target_] = points_text(claim.row->score);
+        if (!before || *before != claim.row->score) points[k] = points_text(claim.row->score);
         ++filled.filled;
       }
     }
     maximum_grade(rows, filled);
-    filled.csv = write_csv(lines_);
+    filled.csv = with(points);
     return filled;
   }
 
  private:
+  /// The file with new cells in the column of points; whatever else is in it stays, byte for byte.
+  std::string with(const std::map<std::size_t, std::string>& points) const {
+    std::string out;
+    std::size_t done = 0;
+    for (const auto& [k, cell] : points) {
+      const auto& places = csv_.places[k];
+      const bool there = target_ < places.size();
+      const std::size_t begin = there ? places[target_].begin : places.back().end;
+      out += csv_.text.substr(done, begin - done) + (there ? "" : std::string(target_ + 1 - places.size(), ',')) + cell;
+      done = there ? places[target_].end : begin;
+    }
+    return out + csv_.text.substr(done);
+  }
   const std::string& at(std::size_t line, std::size_t column) const {
     static const std::string none;
-    return column < lines_[line].size() ? lines_[line][column] : none;
+    return column < csv_.lines[line].size() ? csv_.lines[line][column] : none;
   }
   static std::string result(const ClassRow& row) { return row.trouble.empty() ? points_text(row.score) + " points" : "could not be graded"; }
   bool is_student(std::size_t k) const {
@@ -163,7 +187,7 @@ class Gradebook {
       std::string& part = says == Says::full_name || says == Says::sortable_name ? name : id;
       if (part.empty()) part = text;
     }
-    return name.empty() ? id : id.empty() ? name : name + " (" + id + ")";
+    return printable(name.empty() ? id : id.empty() ? name : name + " (" + id + ")");
   }
   std::string full_name(std::size_t k) const {
     for (const auto& [column, says] : keys_)
@@ -172,10 +196,10 @@ class Gradebook {
   }
   std::vector<std::size_t> rows_of(const Person& person, bool only_a_name) const {
     std::vector<std::size_t> found;
-    for (std::size_t k = first_; k < lines_.size(); ++k)
+    for (std::size_t k = first_; k < csv_.lines.size(); ++k)
       if (is_student(k) && std::any_of(keys_.begin(), keys_.end(), [&](const auto& key) { return fits(person, only_a_name, k, key.first, key.second); })) found.push_back(k);
     if (!found.empty() || person.participant.empty()) return found;
-    for (std::size_t k = first_; k < lines_.size(); ++k)
+    for (std::size_t k = first_; k < csv_.lines.size(); ++k)
       if (is_student(k) && equal(full_name(k), person.name)) found.push_back(k);
     return found;
   }
@@ -202,17 +226,17 @@ class Gradebook {
       filled.remarks.push_back("the gradebook's points possible are " + trimmed(at(k, target_)) + ", the rubric's " + points_text(*ours) + ": the points are filled in as they are");
   }
   void maximum_grade(const std::vector<ClassRow>& rows, Filled& filled) const {
-    const auto column = first_ == 0 ? std::nullopt : column_named(lines_.front(), "Maximum Grade");
     const auto ours = rubric_maximum(rows);
+    const auto column = column_named(csv_.lines.front(), "Maximum Grade");
     if (!column || !ours) return;
-    for (std::size_t k = first_; k < lines_.size(); ++k)
+    for (std::size_t k = first_; k < csv_.lines.size(); ++k)
       if (const auto here = number(at(k, *column)); here && *here != *ours) {
         filled.remarks.push_back("the gradebook's maximum grade is " + trimmed(at(k, *column)) + ", the rubric's " + points_text(*ours) + ": the points are filled in as they are");
         return;
       }
   }
 
-  std::vector<Line> lines_;
+  Csv csv_;
   std::vector<std::pair<std::size_t, Says>> keys_;
   std::size_t first_, target_;
 };
@@ -223,25 +247,25 @@ Outcome<Filled> fill_gradebook(const std::filesystem::path& gradebook, const std
   using Kind = Fault::Kind;
   const auto text = read_file(gradebook);
   if (!text) return text.fault();
-  auto lines = parse_csv(*text);
-  if (!lines || lines->empty()) return Fault{Kind::malformed, gradebook.string(), "is no CSV file (empty, or a quote is not closed)"};
-  const Line header = lines->front();
+  const auto csv = parse_csv(*text);
+  if (!csv || csv->lines.empty()) return Fault{Kind::malformed, gradebook.string(), "is no CSV file (empty, or a quote is not closed)"};
+  const Line header = csv->lines.front();
   std::vector<std::pair<std::size_t, Says>> keys;
   for (const KeyColumn& key : key_columns)
     if (const auto i = column_named(header, key.header)) keys.push_back({*i, key.says});
   if (keys.empty() && header.front().find('@') != std::string::npos) {  // Autolab's form: e-mail, then the points
     if (!column.empty()) return Fault{Kind::malformed, gradebook.string(), "has no header to find the column '" + column + "' in; without --column the points go to the second"};
-    return Gradebook(*lines, {{0, Says::email}}, 0, 1).fill(rows);
+    return Gradebook(*csv, {{0, Says::email}}, 0, 1).fill(rows);
   }
   if (keys.empty())
     return Fault{Kind::malformed, gradebook.string(), "has no column that names students (ID, SIS Login ID, Email address, Identifier, Username), and no e-mail first"};
   const auto wanted = column_named(header, column.empty() ? "Grade" : column);
   if (!wanted) {
     std::string all;
-    for (const std::string& name : header) all += (all.empty() ? "" : ", ") + name;
+    for (const std::string& name : header) all += (all.empty() ? "" : ", ") + printable(name);
     return Fault{Kind::missing, gradebook.string(), "has no column '" + (column.empty() ? "Grade" : column) + "'" + did_you_mean(column, header) + "; columns: " + all};
   }
-  return Gradebook(*lines, keys, 1, *wanted).fill(rows);
+  return Gradebook(*csv, keys, 1, *wanted).fill(rows);
 }
 
 std::vector<Change> changes(const std::vector<ClassRow>& before, const std::vector<ClassRow>& after) {
@@ -253,7 +277,7 @@ std::vector<Change> changes(const std::vector<ClassRow>& before, const std::vect
   for (const ClassRow& now : after) {
     const auto found = earlier.find(now.entry.student);
     if (found == earlier.end()) {
-      list.push_back({now.entry.student, none, grade_of(now), "new: no report in the earlier run" + (now.trouble.empty() ? "" : "; now: " + now.trouble)});
+      if (now.trouble.empty()) list.push_back({now.entry.student, none, now.score, "new: no report in the earlier run"});
       continue;
     }
     const ClassRow& then = *found->second;

@@ -252,6 +252,35 @@ void apply_accepted(CheckResult& result, const std::set<std::string>& accepted) 
   result.notes.push_back("accepted by the rubric: " + result.diagnosis.front().text);
 }
 
+/// The checks that decide what is behind the failures among `results`, where not all of them were chosen: of the functions
+/// that failed and of those before them, whose mistakes are charged there. Empty where nothing is missing.
+std::vector<std::string> missing_evidence(const std::vector<CheckResult>& results, const Selection& selection) {
+  std::optional<StudentFunction> last;
+  for (const CheckResult& r : results)
+    if (r.verdict == Verdict::fail) last = std::max(last.value_or(r.check->function), r.check->function);
+  std::vector<std::string> ids;
+  bool complete = selection.single_case < 0;
+  for (const Check& check : checks()) {
+    const bool run = chosen(selection, check), decides = last && check.points > 0 && check.function <= *last;
+    if (run || decides) ids.push_back(check.id);
+    complete = complete && (run || !decides);
+  }
+  return last && !complete ? ids : std::vector<std::string>{};
+}
+
+// What the whole of the evidence says of a check that failed on the cases chosen.
+void take_over(CheckResult& result, const std::vector<CheckResult>& whole) {
+  const auto same = std::find_if(whole.begin(), whole.end(), [&](const CheckResult& w) { return w.check == result.check; });
+  if (result.verdict != Verdict::fail || same == whole.end()) return;
+  result.diagnosis = same->diagnosis;
+  if (same->verdict != Verdict::pass) return;
+  result.verdict = Verdict::pass;
+  result.points = result.max_points;
+  result.words.clear();
+  result.notes = same->notes;
+  result.counterexample.reset();
+}
+
 }  // namespace
 
 void judge(const Student& student, const std::array<FunctionStatus, student_functions>& functions, const Rubric& rubric,
@@ -289,10 +318,16 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
     report.results.push_back(std::move(result));
     records.push_back(std::move(seen));
   }
-  std::vector<History> histories;
-  for (std::size_t i = 0; i < report.results.size(); ++i)
-    if (!records[i].empty()) histories.push_back({&report.results[i], std::move(records[i])});
-  diagnose(histories);
+  if (const auto ids = missing_evidence(report.results, selection); !ids.empty()) {
+    Report whole;
+    judge(student, functions, rubric, {ids, -1}, whole);
+    for (CheckResult& result : report.results) take_over(result, whole.results);
+  } else {
+    std::vector<History> histories;
+    for (std::size_t i = 0; i < report.results.size(); ++i)
+      if (!records[i].empty()) histories.push_back({&report.results[i], std::move(records[i])});
+    diagnose(histories);
+  }
   for (CheckResult& result : report.results) {
     apply_accepted(result, rubric.accepted);
     apply_refused(result, rubric.refused);
@@ -321,7 +356,7 @@ Outcome<Report> grade(const Submission& submission, const Rubric& rubric, const 
   report.kit_hash = kit_hash();
   report.tool_hash = tool_hash();
   report.seed = rubric.seed;
-  report.cases = rubric.cases;
+  report.cases = selection.single_case < 0 ? rubric.cases : 1;
   report.notes = submission.notes;
   report.notes.insert(report.notes.end(), built->notes.begin(), built->notes.end());
   const auto layers = [](const char* of, const std::vector<std::string>& lines) {

@@ -15,7 +15,8 @@ struct Selection {
   int single_case = -1;           ///< replay of one case
 };
 
-/// Runs the checks against a student. `functions` says which functions are there at all. Fills results and score.
+/// Runs the checks against a student. `functions` says which functions are there at all. Fills results and score. Where a
+/// chosen check fails, what it takes to say why is run too and not reported: verdict and diagnosis are those of the whole.
 /// Looks at interrupted(): what was not run is skipped and says so.
 void judge(const Student& student, const std::array<FunctionStatus, student_functions>& functions, const Rubric& rubric,
            const Selection& selection, Report& report);

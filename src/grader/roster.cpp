@@ -5,6 +5,7 @@
 #include <regex>
 #include <rigor/base/file.hpp>
 #include <rigor/grader/archive.hpp>
+#include <rigor/grader/printable.hpp>
 #include <rigor/grader/roster.hpp>
 #include <set>
 
@@ -80,14 +81,15 @@ std::string without_archive_ending(std::string name) {
 struct Named {
   Entry entry;
   std::string key;
-  bool attachment = false;  ///< of Canvas: several files are one submission
+  bool attachment = false;  ///< of Canvas or Moodle: several files are one submission
+  bool typed = false;       ///< what was typed into Moodle's text field; counts where there are no files
 };
 
 /// nullopt for what is no submission: a stray file.
 std::optional<Named> named(const fs::directory_entry& item) {
   static const std::regex autolab(R"(^([^@\s]+@[^@_\s]+)_(\d+)_.*$)");
   static const std::regex canvas(R"(^([a-z0-9]+)(_LATE|_late)?_(\d+)_(\d+)_.*$)");
-  static const std::regex moodle(R"(^(.+)_(\d+)_assignsubmission_file_?$)");
+  static const std::regex moodle(R"(^(.+)_(\d+)_assignsubmission_(file|onlinetext)(_.*)?$)");
   const fs::path& path = item.path();
   const bool packed = item.is_regular_file() && archive_name(path);
   const std::string name = packed ? without_archive_ending(path.filename().string()) : path.filename().string();
@@ -102,12 +104,12 @@ std::optional<Named> named(const fs::directory_entry& item) {
     entry.people = {Person{.email = match[1]}};
     return Named{entry, entry.student};
   }
-  if (!packed && !item.is_directory()) return std::nullopt;  // a loose file has an owner only where its name says so
   if (std::regex_match(name, match, moodle)) {
     Entry entry{match[1].str() + "_" + match[2].str(), {path}};  // names occur twice
     entry.people = {Person{.name = match[1], .participant = match[2]}};
-    return Named{entry, entry.student};
+    return Named{entry, entry.student, !item.is_directory(), match[3] == "onlinetext"};
   }
+  if (!packed && !item.is_directory()) return std::nullopt;  // a loose file has an owner only where its name says so
   if (name.rfind("submission_", 0) == 0) return Named{gradescope_entry(path, name), name};
   return Named{Entry{name, {path}}, name};
 }
@@ -135,6 +137,10 @@ void tell_apart(std::vector<Entry>& list) {
 void add_upload(Named& known, const Named& other) {
   Entry& entry = known.entry;
   const Entry& more = other.entry;
+  if (known.typed != other.typed) {
+    if (known.typed) known = other;
+    return;
+  }
   if (known.attachment && other.attachment) {
     entry.uploads.insert(entry.uploads.end(), more.uploads.begin(), more.uploads.end());
     entry.late = entry.late || more.late;
@@ -172,7 +178,7 @@ Outcome<std::vector<Entry>> read_roster(const fs::path& directory) {
   for (auto& [key, student] : students) {
     Entry& entry = student.entry;
     if (!student.attachment && entry.uploads.size() > 1) {
-      for (const fs::path& upload : entry.uploads) entry.trouble += (entry.trouble.empty() ? "" : " and ") + upload.filename().string();
+      for (const fs::path& upload : entry.uploads) entry.trouble += (entry.trouble.empty() ? "" : " and ") + printable(upload.filename().string());
       entry.trouble += " are there; nothing says which of them counts: leave one";
     }
     list.push_back(std::move(entry));
@@ -186,9 +192,10 @@ Outcome<fs::path> unpack_class(const fs::path& archive, const fs::path& to) {
   const ArchiveLimits limits{.packed_bytes = 512u << 20, .unpacked_bytes = 512u << 20, .file_bytes = 64u << 20, .entries = 200000};
   const auto read = read_archive(archive, limits);
   if (!read) return read.fault();
-  for (const ArchivedFile& file : read->files)
-    if (const auto written = write_file(to / file.path, file.bytes); !written) return written.fault();
   std::error_code ec;
+  fs::remove_all(to, ec);
+  for (const ArchivedFile& file : read->files)
+    if (const auto written = write_file(to / file.path, file.bytes); !written) return fs::remove_all(to, ec), written.fault();
   const std::vector<fs::directory_entry> top(fs::directory_iterator(to, ec), {});
   if (top.size() != 1 || !top[0].is_directory()) return to;
   const auto students = std::count_if(fs::directory_iterator(top[0], ec), {}, [](const fs::directory_entry& e) {

@@ -29,13 +29,14 @@ struct Entry {
 /// Reads the layouts of Autolab (`<email>_<version>_<file>`, highest version wins), Canvas
 /// (`<name>[_LATE]_<id>_<attachment>_<file>`, all files of one id together), Gradescope
 /// (`assignment_<n>_export/submission_<id>`, everybody submission_metadata.yml lists), Moodle
-/// (`<name>_<id>_assignsubmission_file_`) and one folder or archive per student (GitHub), by the names in the directory.
+/// (`<name>_<id>_assignsubmission_file_`, with or without a folder; text typed online is passed by where there are files) and
+/// one folder or archive per student (GitHub), by the names in the directory.
 /// Symbolic links are passed by. Two uploads of one student where no version decides are that student's trouble.
 /// Sorted by student. Faults: unreadable (no directory), missing (no student in it), malformed (several exports of Gradescope).
 Outcome<std::vector<Entry>> read_roster(const std::filesystem::path& directory);
 
-/// A whole class in one zip or tar file, as platforms hand it out: its files below `to`, which must not exist or be
-/// empty. Gives the directory to read: `to`, or the only one in it where that holds several directories or archives.
+/// A whole class in one zip or tar file, as platforms hand it out: its files below `to`, in place of what is there. Gives the
+/// directory to read: `to`, or the only one in it where that holds several directories or archives.
 /// Faults: those of read_archive, unwritable.
 Outcome<std::filesystem::path> unpack_class(const std::filesystem::path& archive, const std::filesystem::path& to);
 

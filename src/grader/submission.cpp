@@ -186,16 +186,24 @@ bool is_expected(const Found& file) {
   return base != "constants.h" && std::any_of(expected.begin(), expected.end(), [&](const char* e) { return lower(e) == base; });
 }
 
-/// "Cuboid-1.cpp" of a second upload, "lovelaceada_LATE_12_34_Cuboid.cpp" of Canvas: the file's own name.
+/// "Cuboid-1.cpp" of a second upload, "lovelaceada_LATE_12_34_Cuboid.cpp" of Canvas, "Ada_987_assignsubmission_file_Cuboid.cpp" of
+/// Moodle: the file's own name.
 std::string uploaded_name(const std::string& name) {
   static const std::regex canvas(R"(^[a-z0-9]+(?:_LATE|_late)?_\d+_\d+_(.+)$)"), again(R"(^(.*\w)-\d+(\.\w+)$)"),
-      autolab(R"(^[^@\s]+@[^@_\s]+_\d+_(.+)$)");
+      autolab(R"(^[^@\s]+@[^@_\s]+_\d+_(.+)$)"), moodle(R"(^.+_\d+_assignsubmission_file_(.+)$)");
   std::smatch match;
-  std::string own = std::regex_match(name, match, canvas) || std::regex_match(name, match, autolab) ? match[1].str() : name;
+  std::string own = name;
+  for (const std::regex* platform : {&moodle, &canvas, &autolab})
+    if (own == name && std::regex_match(name, match, *platform)) own = match[1].str();
   return std::regex_match(own, match, again) ? match[1].str() + match[2].str() : own;
 }
 
 }  // namespace
+
+std::string submission_name(const fs::path& path) {
+  std::error_code ec;
+  return printable(fs::weakly_canonical(fs::absolute(path, ec), ec).filename().string());
+}
 
 Outcome<Submission> open_submission(const fs::path& path) { return open_submission(std::vector<fs::path>{path}); }
 
@@ -209,7 +217,7 @@ Outcome<Submission> open_submission(const std::vector<fs::path>& paths) {
     const auto status = fs::status(path, ec);
     if (!fs::exists(status)) return Fault{Kind::unreadable, where, "does not exist"};
     if (paths.size() > 1 && fs::is_symlink(path)) return Fault{Kind::unreadable, where, "is a symbolic link"};
-    if (s.name.empty()) s.name = printable(fs::weakly_canonical(path, ec).filename().string());
+    if (s.name.empty()) s.name = submission_name(path);
     const bool packed = fs::is_regular_file(status) && archive_name(path);
     if (fs::is_regular_file(status) && !packed && paths.size() == 1 && uploaded_name(path.filename().string()) == path.filename().string())
       return Fault{Kind::unreadable, where, "is neither a directory nor a .zip, .tar or .tar.gz file"};

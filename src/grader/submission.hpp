@@ -26,6 +26,9 @@ struct Submission {
   const SourceFile* find(const std::string& file_name) const;
 };
 
+/// What a submission is called in reports, and below --out: the last part of the path, without what a terminal interprets.
+std::string submission_name(const std::filesystem::path& path);
+
 /// Reads a directory, or a zip or tar file (in memory, docs/grading.md has the limits). Expected files are found by base name at any depth and in any letter case; the window
 /// program (PBFApp.cpp, main.cpp) is left aside, and so are symbolic links, special files and files over 1 MiB.
 /// Of several with one name the one least deep counts, then the first in alphabetical order; a note says so.

@@ -82,6 +82,10 @@ TEST_F(Export, KitGradesItselfForPracticeAndKeepsTheGradedSeed) {
   ASSERT_TRUE(report.is_object()) << ran.text;
   EXPECT_EQ(report["seed"], 1);
   EXPECT_EQ(report["max_score"], 102) << "the course's points";
+  const Ran seeded = sh("RIGOR_CACHE=" + (dir / "cache").string() + " " + (kit / "practice").string() + " --seed 77 --out " + (dir / "page").string());
+  EXPECT_EQ(seeded.status, 2);
+  EXPECT_NE(seeded.text.find("--seed: ./practice has one seed"), std::string::npos) << seeded.text;
+  EXPECT_FALSE(fs::exists(dir / "page"));
   const Ran ours = sh("RIGOR_CACHE=" + (dir / "cache").string() + " " RIGOR_BINARY_DIR "/rigor grade " + sample("wrong/torque-kept").string() + " --practice --json --rubric " + (dir / "rubric.toml").string() + " 2>/dev/null");  // which says that the points add up to 102
   const json here = json::parse(ours.text, nullptr, false);
   ASSERT_TRUE(here.is_object()) << ours.text;
@@ -178,16 +182,27 @@ TEST_F(Export, WritesOverNothing) {
   EXPECT_EQ(std::distance(fs::recursive_directory_iterator(dir / "work"), {}), 2);
 }
 
-TEST_F(Export, RefusesWhatItDoesNotKnow) {
-  const std::string rigor = std::string(RIGOR_BINARY_DIR) + "/rigor export ";
-  const Ran wrong = sh(rigor + "autolap " + (dir / "x").string());
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_NE(wrong.text.find("did you mean 'autolab'?"), std::string::npos);
-  EXPECT_TRUE(write_file(dir / "bad.toml", "seeed = 3\n"));
-  const Ran rubric = sh(rigor + "kit " + (dir / "x").string() + " --rubric " + (dir / "bad.toml").string());
-  EXPECT_EQ(rubric.status, 2);
-  EXPECT_NE(rubric.text.find("did you mean 'seed'?"), std::string::npos);
-  EXPECT_FALSE(fs::exists(dir / "x"));
+TEST_F(Export, RefusesBeforeItWritesAnything) {
+  const std::string x = (dir / "x").string(), bad = (dir / "bad.toml").string(), file = (dir / "rubric.toml").string();
+  EXPECT_TRUE(write_file(bad, "seeed = 3\n"));
+  const std::pair<std::string, std::string> wrong[] = {
+      {"autolap " + x, "did you mean 'autolab'?"},
+      {"kit " + x + " --rubric " + bad, "did you mean 'seed'?"},
+      {"gradescope " + x + " --rubric /nowhere.toml", "/nowhere.toml does not exist"},
+      {"autolab " + file, "must be a new or an empty directory"},
+      {"kit " + file + "/below", "cannot be written"},
+      {"gradescope " + file + "/below", "cannot be written"},
+      {"autolab " + file + "/below", "cannot be written"},
+      {"kit", "DIR is required"},
+  };
+  for (const auto& [arguments, says] : wrong) {
+    const Ran ran = sh(std::string(RIGOR_BINARY_DIR) + "/rigor export " + arguments);
+    EXPECT_EQ(ran.status, 2) << arguments << "\n" << ran.text;
+    EXPECT_NE(ran.text.find(says), std::string::npos) << arguments << "\n" << ran.text;
+    EXPECT_FALSE(fs::exists(x)) << arguments;
+  }
+  EXPECT_EQ(sh(std::string(RIGOR_BINARY_DIR) + "/rigor export autolap " + x).text, "rigor export: 'autolap' is none of kit, autolab, gradescope (did you mean 'autolab'?)\n");
+  EXPECT_EQ(*read_file(file), "seed = 77  # secret\ncases = 5\n[points]\n\"force.sum\" = 6\n");
 }
 
 }  // namespace

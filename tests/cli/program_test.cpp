@@ -171,6 +171,100 @@ TEST_F(Program, PrintsNoMarkWhenGradingIsInterrupted) {
   EXPECT_FALSE(std::filesystem::exists(dir / "out" / "report.json"));
 }
 
+TEST_F(Program, RefusesAClassBeforeItWritesAnything) {
+  file("in/ada/Cuboid.cpp", "int a;");
+  file("one/assignment_1_export/submission_1/Cuboid.cpp", "int a;");
+  file("one/assignment_2_export/submission_1/Cuboid.cpp", "int a;");
+  file("notes/notes.txt", "no submission");
+  fs::create_directories(dir / "none");
+  const auto zipped = [&](const std::string& what) {
+    const std::string command = "cd " + (dir / what).string() + " && python3 -c \"import shutil; shutil.make_archive('../" + what + "', 'zip', '.')\"";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return (dir / (what + ".zip")).string();
+  };
+  const std::string in = (dir / "in").string(), good = zipped("in"), out = (dir / "out").string();
+  const std::string rubric = file("bad.toml", "seed = 5\nsed = 6\n"), torn = file("torn.csv", "ID,Grade\n\"77,3\n"), nobody = file("nobody.csv", "Who,Grade\nada,\n");
+  const std::pair<std::string, const char*> wrong[] = {
+      {in + " --rubric " + rubric, "did you mean 'seed'?"},
+      {good + " --rubric " + rubric, "did you mean 'seed'?"},
+      {in + " --rubric /nowhere.toml", "/nowhere.toml does not exist"},
+      {in + " --jobs 0", "--jobs is 0, must be in [1, 256]"},
+      {in + " --cases 0", "--cases is 0, must be in [1, 100000]"},
+      {in + " --seed x", "--seed is x, must be in [1, 9007199254740992]"},
+      {in + " --fill /nowhere.csv", "--fill: /nowhere.csv does not exist"},
+      {in + " --fill " + torn, "a quote is not closed"},
+      {in + " --fill " + nobody, "has no column that names students"},
+      {good + " --fill " + file("canvas.csv", "ID,Rigid\n77,\n") + " --column Rigd", "did you mean 'Rigid'?"},
+      {in + " --against /nowhere", "--against: /nowhere is not a directory"},
+      {good + " --against " + in, "is not the --out of an earlier 'rigor class'"},
+      {(dir / "none").string(), "holds no submission"},
+      {zipped("notes"), "holds no submission"},
+      {(dir / "one").string(), "give one of them"},
+      {zipped("one"), "give one of them"},
+      {file("damaged.zip", "PK\003\004, and no more"), "damaged.zip"},
+      {file("text.txt", "no archive"), "is not a directory"},
+  };
+  for (const auto& [arguments, says] : wrong) {
+    const Ran ran = rigor_says("class " + arguments + " --out " + out);
+    EXPECT_EQ(ran.status, 2) << arguments << "\n" << ran.text;
+    EXPECT_TRUE(contains(ran.text, "rigor class: ") && contains(ran.text, says)) << arguments << "\n" << ran.text;
+    EXPECT_FALSE(fs::exists(out)) << arguments;
+  }
+  const Ran blocked = rigor_says("class " + in + " --out " + file("blocked", "a file where a directory is wanted"));
+  EXPECT_EQ(blocked.status, 2) << blocked.text;
+  EXPECT_TRUE(contains(blocked.text, "--out: ") && contains(blocked.text, "cannot be written")) << blocked.text << "said before anybody is graded";
+}
+
+// Canvas hands out each file by itself: the command in the report names one of them, and grades what was graded.
+TEST_F(Program, ReplaysASubmissionOfLooseFiles) {
+  const fs::path sample = RIGOR_SOURCE_DIR "/tests/submissions/wrong/torque-kept";
+  int n = 0;
+  for (const auto& item : fs::directory_iterator(sample))
+    if (item.path().extension() == ".cpp" || item.path().extension() == ".h") file("in/lovelaceada_77_" + std::to_string(++n) + "_" + item.path().filename().string(), *read_file(item.path()));
+  const std::string out = (dir / "out").string();
+  EXPECT_EQ(rigor_says("class " + (dir / "in").string() + " --cases 250 --quiet --out " + out).status, 0);
+  const auto report = nlohmann::json::parse(*read_file(dir / "out/lovelaceada_77/report.json"));
+  int replayed = 0;
+  for (const auto& check : report["checks"]) {
+    if (check["verdict"] != "fail" || check["max_points"] == 0) continue;
+    const std::string command = check["replay"];
+    EXPECT_TRUE(contains(command, " --cases 250")) << command << ": a case beyond the rubric's number can be asked for";
+    const auto again = nlohmann::json::parse(rigor_says(command.substr(6) + " --json").text);
+    EXPECT_EQ(again["submission"]["hash"], report["submission"]["hash"]);
+    EXPECT_EQ(again["checks"][0]["verdict"], "fail") << command;
+    EXPECT_EQ(again["checks"][0]["diagnosis"][0]["id"], check["diagnosis"][0]["id"]) << command;
+    ++replayed;
+  }
+  EXPECT_GT(replayed, 0);
+}
+
+TEST_F(Program, PrintsAListOfSeveralReports) {
+  const std::string kit = RIGOR_SOURCE_DIR "/tests/submissions/kit ";
+  const auto list = nlohmann::json::parse(rigor_says("grade " + kit + kit + "--json --check moi.body 2>/dev/null #").text, nullptr, false);
+  ASSERT_TRUE(list.is_array());
+  ASSERT_EQ(list.size(), 2u);
+  for (const auto& report : list) EXPECT_EQ(report["submission"]["name"], "kit");
+  EXPECT_EQ(nlohmann::json::parse(rigor_says("grade " + kit + "/nowhere --json --check moi.body 2>/dev/null #").text, nullptr, false).size(), 1u) << "who could not be read is said on stderr";
+  EXPECT_EQ(rigor_says("grade /nowhere /nowhere --json 2>/dev/null #").text, "[]\n");
+}
+
+// The directory of a report is named as the report is; where two would share one, that is said before anything is graded.
+TEST_F(Program, GivesEachReportTheDirectoryOfItsName) {
+  for (const char* name : {"a\nb/Cuboid.cpp", "a\tb/Cuboid.cpp", "c/Cuboid.cpp"}) file(name, "int a;");
+  const auto path = [&](const char* name) { return "'" + (dir / name).string() + "' "; };
+  const std::string out = (dir / "out").string(), asks = "--check moi.body --cases 1 --quiet --format json --out " + out;
+  const Ran two = rigor_says("grade " + path("a\nb") + path("a\tb") + asks);
+  EXPECT_EQ(two.status, 2) << two.text;
+  EXPECT_TRUE(contains(two.text, "would both write to " + out + "/a?b")) << two.text;
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_EQ(rigor_says("grade " + path("a\nb") + path("c/../c/") + asks).status, 0);
+  for (const char* name : {"a?b", "c"}) {
+    const auto report = read_file(dir / "out" / name / "report.json");
+    ASSERT_TRUE(report) << name;
+    EXPECT_EQ(nlohmann::json::parse(*report)["submission"]["name"], name);
+  }
+}
+
 TEST_F(Program, NamesAStudentOnceWhereAClassIsInterrupted) {
   const Ran ran = rigor_says("class " RIGOR_SOURCE_DIR "/tests/submissions/kit/.. --out " + (dir / "out").string(),
                              "RIGOR_CACHE=" + (dir / "cache").string() + " timeout --foreground --preserve-status -s INT 1 ");

@@ -260,6 +260,51 @@ TEST_F(ArchivedSubmission, GradebooksAreFilledInAndNothingElseChanges) {
   EXPECT_EQ(fill_gradebook(root / "broken.csv", "", rows).fault().kind, Fault::Kind::malformed);
 }
 
+// Byte for byte but for the points: mark, line ends, quotes, and cells of several lines, as the platform wrote them.
+TEST_F(ArchivedSubmission, GradebooksKeepTheirMarkLineEndsAndQuotes) {
+  ClassRow ada = graded("Ada_1", 87.5), bob = graded("Bob_2", 70), eve = graded("Eve_3", 5);
+  ada.entry.people = {{.name = "Ada", .participant = "1"}};
+  bob.entry.people = {{.name = "Bob", .participant = "2"}};
+  eve.entry.people = {{.name = "Eve", .participant = "3"}};
+  const std::string before = "\xef\xbb\xbfIdentifier,\"Full name\",Note,Grade,Maximum Grade\r\n";
+  const auto book = [&](const std::string& a, const std::string& b, const std::string& e) {
+    return before + "\"Participant 1\",\"Ada\",\"two\r\nlines, \"\"quoted\"\"\"," + a + ",\"100.00\"\r\n\r\nParticipant 2,Bob, spaced ," + b + ",100\nParticipant 3,Eve" + e;
+  };
+  EXPECT_TRUE(write_file(root / "m.csv", book("\"\"", "\"70.00\"", "")));
+  const auto filled = fill_gradebook(root / "m.csv", "", {ada, bob, eve});
+  ASSERT_TRUE(filled) << filled.fault().text();
+  EXPECT_EQ(filled->csv, book("87.5", "\"70.00\"", ",,5")) << "what is the same number stays as it is; a line cut short is made longer";
+  EXPECT_EQ(filled->filled, 3);
+  EXPECT_TRUE(write_file(root / "m.csv", "Identifier,Full name,Grade\nParticipant 1,\"Ada\nL\x1b[31m\",\n"));
+  EXPECT_EQ(fill_gradebook(root / "m.csv", "", {})->remarks, std::vector<std::string>{"Ada?L?[31m (Participant 1): not filled in, nobody's submission; stays empty"}) << "a line each";
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const auto table = [&](const char* points) { return std::string("Identifier,Grade") + end + "Participant 1," + points + end; };
+    EXPECT_TRUE(write_file(root / "m.csv", table("")));
+    EXPECT_EQ(fill_gradebook(root / "m.csv", "", {ada})->csv, table("87.5"));
+  }
+}
+
+TEST_F(ArchivedSubmission, OfMoodleMayComeWithoutFoldersAndWithTextTypedOnline) {
+  for (const char* name : {"Ada Lovelace_987_assignsubmission_file_", "Ada Lovelace_987_assignsubmission_onlinetext_", "Kim Li_60_assignsubmission_onlinetext_"})
+    fs::create_directories(root / "in" / name);
+  for (const char* name : {"Jo Ny_70_assignsubmission_onlinetext_onlinetext.html", "Jo Ny_70_assignsubmission_file_Cuboid.cpp", "Jo Ny_70_assignsubmission_file_MatrixUtils.cpp"})
+    EXPECT_TRUE(write_file(root / "in" / name, "int a;"));
+  const auto roster = read_roster(root / "in");
+  ASSERT_TRUE(roster);
+  ASSERT_EQ(roster->size(), 3u);
+  EXPECT_EQ((*roster)[0].student, "Ada Lovelace_987");
+  EXPECT_EQ((*roster)[0].uploads, std::vector<fs::path>{root / "in" / "Ada Lovelace_987_assignsubmission_file_"});
+  EXPECT_EQ((*roster)[0].versions, 1);
+  EXPECT_EQ((*roster)[1].uploads.size(), 2u);
+  EXPECT_EQ((*roster)[1].trouble, "");
+  EXPECT_EQ((*roster)[1].people.at(0).participant, "70");
+  const auto jo = open_submission((*roster)[1].uploads);
+  ASSERT_TRUE(jo) << jo.fault().text();
+  EXPECT_NE(jo->find("Cuboid.cpp"), nullptr);
+  EXPECT_EQ((*roster)[2].student, "Kim Li_60");
+  EXPECT_FALSE(open_submission((*roster)[2].uploads)) << "named, and why: there is no file of the assignment";
+}
+
 TEST_F(ArchivedSubmission, PointsGoToThePersonThePlatformNamesAndWhatIsWrittenOverIsSaid) {
   ClassRow bob = graded("Bob", 94);
   bob.entry.people = {{.name = "Bob", .email = "robert@uni.edu", .school_id = "11"}};
@@ -273,7 +318,7 @@ TEST_F(ArchivedSubmission, PointsGoToThePersonThePlatformNamesAndWhatIsWrittenOv
   const auto filled = fill_gradebook(root / "g.csv", "", {bob, group, broken});
   ASSERT_TRUE(filled);
   EXPECT_EQ(filled->csv, "Student,SIS User ID,SIS Login ID,Grade\n    Points Possible,,,50\nR,11,robert@uni.edu,94\nB,12,bob@uni.edu,77\n"
-                         "A,1,ADA@uni.edu,80\nAl,2,alan@uni.edu,80\nS,3,sam@uni.edu,55\n");
+                         "A,1,ADA@uni.edu,80\nAl,2,alan@uni.edu,80.0\nS,3,sam@uni.edu,55\n");
   EXPECT_EQ(filled->remarks, (std::vector<std::string>{"the gradebook's points possible are 50, the rubric's 100: the points are filled in as they are",
                                                        "R (robert@uni.edu): 60 overwritten with 94", "B (bob@uni.edu): not filled in, nobody's submission; keeps 77",
                                                        "S (sam@uni.edu): not filled in, could not be graded (Sam); keeps 55"}));
@@ -313,7 +358,9 @@ TEST_F(ArchivedSubmission, MoodlesWorksheetIsFilledByParticipantNumberElseByFull
 }
 
 TEST(Changes, SayWhoIsNewAndWhoIsGone) {
-  const auto list = changes({graded("tony", 55, {{"force.sum", "fail"}})}, {graded("ada", 90, {{"force.sum", "pass"}, {"moi.body", "pass"}})});
+  ClassRow broken = graded("broken", 0);
+  broken.trouble = "damaged";
+  const auto list = changes({graded("tony", 55, {{"force.sum", "fail"}})}, {graded("ada", 90, {{"force.sum", "pass"}, {"moi.body", "pass"}}), broken});
   EXPECT_EQ(changes_csv(list), "student,before,after,why\nada,,90,new: no report in the earlier run\ntony,55,,\"gone: graded in the earlier run, no submission now\"\n");
 }
 

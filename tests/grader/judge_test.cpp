@@ -103,6 +103,38 @@ TEST(Judge, NamesTwoMistakesOfOneFunctionTogether) {
   EXPECT_EQ(named(judged("update.keeps-force+update.no-gyroscopic", 24, 3)), Ids{"update.no-gyroscopic+update.keeps-force"});
 }
 
+// What says why a check fails is the evidence of others too: a check run alone, or one case of it, gets the same answer.
+TEST(Judge, SaysOfACheckRunAloneWhatItSaysOfAll) {
+  const auto ids_of = [](const CheckResult& r) {
+    std::vector<std::string> ids;
+    for (const Diagnosis& d : r.diagnosis) ids.push_back(d.id + ": " + d.text);
+    return ids;
+  };
+  int failed = 0, given_others = 0;
+  std::vector<std::string> mistakes{"world-inverse.transposed", "tangent.not-normalised"};
+  for (std::size_t k = 0; k < misconceptions().size(); k += 10) mistakes.push_back(misconceptions()[k].id);
+  for (const std::string& mistake : mistakes) {
+    const Habits habits = habits_with(mistake);
+    const Student student = [&](const Call& call) { return model(habits, call); };
+    for (const CheckResult& all : judged(student, 6, 3).results) {
+      if (all.max_points == 0) continue;
+      given_others += all.verdict == Verdict::pass && !all.notes.empty();
+      std::vector<Selection> alone{{{all.check->id}, -1}};
+      if (all.counterexample) alone.push_back({{all.check->id}, all.counterexample->number});
+      failed += all.verdict == Verdict::fail;
+      for (const Selection& selection : alone) {
+        const Report report = judged(student, 6, 3, {}, selection);
+        ASSERT_EQ(report.results.size(), 1u);
+        EXPECT_EQ(report.results[0].verdict, all.verdict) << mistake << ", " << all.check->id << ", case " << selection.single_case;
+        EXPECT_EQ(ids_of(report.results[0]), ids_of(all)) << mistake << ", " << all.check->id << ", case " << selection.single_case;
+        EXPECT_EQ(report.score, all.points);
+      }
+    }
+  }
+  EXPECT_GT(failed, 20);
+  EXPECT_GT(given_others, 0) << "right given a mistake made elsewhere";
+}
+
 TEST(Judge, InventsNothingForAMistakeItDoesNotKnow) {
   const Report report = judged(
       [](const Call& call) -> Answer {

@@ -190,6 +190,15 @@ TEST(Text, SaysACompilersErrorOnceAndCountsInTheSingular) {
   }
 }
 
+TEST(Text, SaysInTheHeadWhatTheRubricsPointsAddUpTo) {
+  const auto head = [](const char* rubric) {
+    const std::string text = report_text(report_of(reversed, {"force.sum"}, *parse_rubric(rubric, "mine.toml")), false);
+    return text.substr(0, text.find("\n\n"));
+  };
+  EXPECT_EQ(head("[points]\n\"force.sum\" = 6"), "ada: 6 of 6\nthe points of this rubric add up to 102, not 100");
+  EXPECT_EQ(head(""), "ada: 4 of 4");
+}
+
 TEST(Text, SaysWhenTheSceneBlewUp) {
   const Report report = report_of([](const Call& call) -> Answer {
     Reply r = model_answer({}, call.constants, call.request);
