@@ -41,7 +41,7 @@ const NearPairs::Pairs& NearPairs::find(const std::vector<Vec3<double>>& centres
     // half of the other rows of three cells; the rest is found from the other side
     for (const std::int64_t row : {std::int64_t(1) << 21, (std::int64_t(1) << 42) - (std::int64_t(1) << 21), std::int64_t(1) << 42, (std::int64_t(1) << 42) + (std::int64_t(1) << 21)}) {
       const std::uint64_t low = here + std::uint64_t(row) - 1;
-      for (auto it = std::lower_bound(cells.begin() + std::ptrdiff_t(at), cells.end(), std::pair{low, std::uint32_t(0)}); it != cells.end() && it->first <= low + 2; ++it) offer(i, it->second);
+      for (auto it = std::lower_bound(cells.begin(), cells.end(), std::pair{low, std::uint32_t(0)}); it != cells.end() && it->first <= low + 2; ++it) offer(i, it->second);
     }
   }
   std::sort(pairs_.begin(), pairs_.end());

@@ -43,6 +43,29 @@ TEST(BoxIndex, FindsBoxesFartherAwayThanTheirCellsCanBeCounted) {
     }
 }
 
+// A box is found from its far end, and by a point in it, whichever axis it is long along: its cell is as wide as its longest edge.
+TEST(BoxIndex, FindsALongBoxFromItsFarEnd) {
+  for (int k = 0; k < 3; ++k) {
+    BoxIndex index(100);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      AxisBox needle{Vec3<double>(3, -5, 7), Vec3<double>(3.01, -4.99, 7.01)};
+      needle.high[k] = needle.low[k] + 1;
+      needle.low[(k + 1) % 3] += 0.1 * i;
+      needle.high[(k + 1) % 3] += 0.1 * i;
+      index.put(i, needle);
+    }
+    for (const double part : {0.0, 0.5, 0.99})
+      for (const double size : {0.0, 0.005}) {
+        AxisBox asked{index.box(42).low, index.box(42).low};
+        asked.low[k] += part;
+        asked.high = asked.low + Vec3<double>::Constant(size);
+        std::vector<std::uint32_t> found;
+        index.overlapping(asked, found);
+        EXPECT_EQ(found, std::vector<std::uint32_t>{42}) << k << ", " << part << ", " << size;
+      }
+  }
+}
+
 // Against everybody with everybody, while boxes come, move and go: grains and giants, needles, points, far away.
 TEST(BoxIndex, FindsThoseThatOverlap) {
   std::mt19937_64 random(11);
