@@ -90,12 +90,9 @@ void clip_face(const V& h, const Mat3<double>& C, const V& t, const V& h_other, 
   const double side = out * C(face, incident) > 0 ? -1 : 1;
   const int j1 = (incident + 1) % 3, j2 = (incident + 2) % 3;
   Polygon polygon;
-  V deepest = zero3<double>();  // of the incident face's corners, brought between the sides; then of what the sides leave of it
-  for (const auto& [s1, s2] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    const V corner(t + side * h_other[incident] * C.col(incident) + s1 * h_other[j1] * C.col(j1) + s2 * h_other[j2] * C.col(j2));
-    if (polygon.count == 0 || out * corner[face] < out * deepest[face]) deepest = corner;
-    polygon.add(corner);
-  }
+  for (const auto& [s1, s2] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    polygon.add(V(t + side * h_other[incident] * C.col(incident) + s1 * h_other[j1] * C.col(j1) + s2 * h_other[j2] * C.col(j2)));
+  V deepest = polygon.at[0];  // edges that kiss: rounding may leave nothing of the face; then a corner of it, brought between the sides
   for (const int axis : {(face + 1) % 3, (face + 2) % 3}) {
     deepest[axis] = std::clamp(deepest[axis], -h[axis], h[axis]);
     for (const double sign : {1.0, -1.0}) polygon = polygon.cut(axis, sign, h[axis]);
