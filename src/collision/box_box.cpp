@@ -156,7 +156,8 @@ Manifold box_box(const Cuboid<double>& A, const State<double>& a, const Cuboid<d
       add(V(b.p_WB + apply<double>(b.R_WB, x) - depth / 2 * m.n_AB_W), depth);
     });
   } else {
-    add(V(a.p_WB + apply<double>(a.R_WB, edge_point(p, best.n_A, (best.axis - 6) / 3, (best.axis - 6) % 3))), m.depth);
+    const int edges = best.axis - 6;
+    add(V(a.p_WB + apply<double>(a.R_WB, edge_point(p, best.n_A, edges / 3, edges % 3))), m.depth);
   }
   return m;
 }
