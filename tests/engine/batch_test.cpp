@@ -229,7 +229,9 @@ TEST(Batch, RefusesWhatItCannotStep) {
   };
   EXPECT_EQ(fault([](World& w) { w.motions.pop_back(); }).text(), "motions are 2, must be one for each of 3 bodies");
   EXPECT_EQ(fault([](World& w) { w.motions[2].state.v_WB[1] = NAN; }).where, "motions[2].v_WB[1]");
-  EXPECT_EQ(fault([](World& w) { w.motions[1].state.R_WB(2, 0) = INFINITY; }).where, "motions[1].R_WB(2,0)");
+  for (int row = 0; row < 3; ++row)
+    for (int col = 0; col < 3; ++col)
+      EXPECT_EQ(fault([&](World& w) { w.motions[1].state.R_WB(row, col) = INFINITY; }).where, "motions[1].R_WB(" + std::to_string(row) + "," + std::to_string(col) + ")");
   EXPECT_EQ(fault([](World& w) { w.motions[0].L_W[0] = NAN; }).kind, Fault::Kind::not_finite);
   EXPECT_EQ((*Batch::make({}, {})).size(), 0u);
   Batch none = *Batch::make({}, {});
