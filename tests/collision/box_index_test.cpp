@@ -43,27 +43,32 @@ TEST(BoxIndex, FindsBoxesFartherAwayThanTheirCellsCanBeCounted) {
     }
 }
 
-// A box is found from its far end, and by a point in it, whichever axis it is long along: its cell is as wide as its longest edge.
+// A box is found from its far end, and by a point in it, whichever axis it is long along and wherever it is, after grains have been put: its
+// cell is as wide as its longest edge.
 TEST(BoxIndex, FindsALongBoxFromItsFarEnd) {
-  for (int k = 0; k < 3; ++k) {
-    BoxIndex index(100);
-    for (std::uint32_t i = 0; i < 100; ++i) {
-      AxisBox needle{Vec3<double>(3, -5, 7), Vec3<double>(3.01, -4.99, 7.01)};
-      needle.high[k] = needle.low[k] + 1;
-      needle.low[(k + 1) % 3] += 0.1 * i;
-      needle.high[(k + 1) % 3] += 0.1 * i;
-      index.put(i, needle);
-    }
-    for (const double part : {0.0, 0.5, 0.99})
-      for (const double size : {0.0, 0.005}) {
-        AxisBox asked{index.box(42).low, index.box(42).low};
-        asked.low[k] += part;
-        asked.high = asked.low + Vec3<double>::Constant(size);
-        std::vector<std::uint32_t> found;
-        index.overlapping(asked, found);
-        EXPECT_EQ(found, std::vector<std::uint32_t>{42}) << k << ", " << part << ", " << size;
+  const double length = 1.49, third = length / 3;  // just below half a metre: a cell for it holds no more
+  const Vec3<double> places[] = {Vec3<double>(3, -5, 7), Vec3<double>(-3, -5, -7), Vec3<double>(1, 1 + third, 1 + 2 * third), Vec3<double>(1 + 2 * third, 1 + third, 1),
+                                 Vec3<double>(1 + third, 1 + 2 * third, 1), Vec3<double>(1 + 2 * third, 1, 1 + third), Vec3<double>(1, 1 + 2 * third, 1 + third), Vec3<double>(1 + third, 1, 1 + 2 * third)};
+  for (int k = 0; k < 3; ++k)
+    for (const Vec3<double>& place : places) {
+      BoxIndex index(101);
+      index.put(100, AxisBox{Vec3<double>(-90, 80, 70), Vec3<double>(-89.999, 80.001, 70.001)});
+      for (std::uint32_t i = 0; i < 100; ++i) {
+        const Vec3<double> low = place + Vec3<double>::Constant(0.01 * (double(i) - 42));
+        AxisBox needle{low, Vec3<double>(low + Vec3<double>::Constant(0.001))};
+        needle.high[k] = needle.low[k] + length;
+        index.put(i, needle);
       }
-  }
+      for (const double part : {0.0, 0.3, 0.6, 0.99})
+        for (const double size : {0.0, 0.0005}) {
+          AxisBox asked{index.box(42).low, index.box(42).low};
+          asked.low[k] += part * length;
+          asked.high = asked.low + Vec3<double>::Constant(size);
+          std::vector<std::uint32_t> found;
+          index.overlapping(asked, found);
+          EXPECT_EQ(found, std::vector<std::uint32_t>{42}) << k << ", " << place.transpose() << ", " << part << ", " << size;
+        }
+    }
 }
 
 // Against everybody with everybody, while boxes come, move and go: grains and giants, needles, points, far away.
