@@ -75,6 +75,7 @@ int class_command(const Options& options) {
   std::filesystem::create_directories(out, ec);
   if (ec) return bad_input("--out: " + options.out + " cannot be written: " + ec.message());
   if (options.seed != 0) rubric.seed = options.seed;
+  for (const std::string& warning : grader::warnings(rubric, true)) std::fprintf(stderr, "rigor class: %s\n", warning.c_str());
   grader::ClassOptions run;
   if (options.cases > rubric.cases) run.asked_cases = options.cases;
   if (options.cases != 0) rubric.cases = options.cases;
@@ -88,9 +89,7 @@ int class_command(const Options& options) {
   const auto stale = grader::remove_stale_reports(out, rows);
   const auto changed = options.against.empty() ? std::vector<grader::Change>{} : grader::changes(before, rows);
   std::vector<std::string> files{"class.html", "scores.csv", "matrix.csv", "*/report.html"};
-  for (const auto& [name, text] : {std::pair{"scores.csv", grader::scores_csv(rows)}, std::pair{"matrix.csv", grader::matrix_csv(rows)},
-                                   std::pair{"class.html", grader::class_html(rows, rubric, changed)}})
-    if (const auto written = write_file(out / name, text); !written) return bad_input(written.fault().text());
+  if (const auto written = grader::write_class(out, rows, rubric, changed); !written) return bad_input(written.fault().text());
   if (!options.against.empty()) {
     if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return bad_input(written.fault().text());
     files.push_back("changes.csv");

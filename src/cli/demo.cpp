@@ -1,21 +1,26 @@
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/demo.hpp>
+#include <rigor/cli/progress.hpp>
 #include <rigor/cli/wrote.hpp>
-#include <rigor/grader/judge.hpp>
+#include <rigor/grader/class_run.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
+#include <rigor/scene/overlap.hpp>
 #include <rigor/scene/trajectory.hpp>
 #include <rigor/studies/convergence.hpp>
 #include <rigor/studies/flight.hpp>
 #include <rigor/studies/pages.hpp>
 #include <rigor/studies/plan.hpp>
 #include <rigor/view/replay.hpp>
-#include <set>
+#include <thread>
 
 namespace rigor::cli {
 namespace {
@@ -47,47 +52,37 @@ constexpr const char* students[][2] = {
     {"kit", "handed in the kit as it was"},
 };
 
-// The mistakes found by name, each once.
-std::string findings(const grader::Report& report) {
-  std::set<std::string> ids;
-  for (const grader::CheckResult& r : report.results)
-    for (const grader::Diagnosis& d : r.diagnosis)
-      if (r.max_points > 0 && r.verdict != grader::Verdict::pass) ids.insert(d.id == "relation" ? d.text : d.id);
-  std::string text;
-  for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
-  return text;
-}
-
 Outcome<std::string> grade_class(const fs::path& out) {
   std::printf("1. Grading a class of %zu\n", std::size(students));
-  std::vector<std::vector<std::string>> rows;
+  std::vector<grader::Entry> entries;
+  for (const auto& [path, says] : students) entries.push_back({fs::path(path).filename(), {fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions" / path}});
+  grader::ClassOptions options;
+  options.out = out / "class";
+  options.jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+  options.tool = "rigor " RIGOR_VERSION;
+  Progress progress;
+  options.progress = [&](int done, int all) { progress(done, all); };
+  const grader::Rubric rubric;
+  const std::vector<grader::ClassRow> rows = grader::grade_class(entries, rubric, options);
+  if (interrupted() != 0) return std::string();
   std::string links;
-  for (const auto& [path, says] : students) {
-    const auto submission = grader::open_submission(fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions" / path);
-    if (!submission) return submission.fault();
-    auto graded = grader::grade(*submission, grader::Rubric{}, {}, {});
-    if (!graded) return graded.fault();
-    if (interrupted() != 0) break;
-    grader::Report report = *graded;
-    report.tool = "rigor " RIGOR_VERSION;
-    report.submission_path = "tests/submissions/" + std::string(path);
-    if (const auto written = write_file(out / "class" / report.submission / "report.html", grader::report_html(report)); !written) return written.fault();
-    if (const auto written = write_file(out / "class" / report.submission / "report.json", grader::report_json(report)); !written) return written.fault();
-    const std::string found = findings(report);
-    const std::string words = found.empty() ? says : found;
-    std::printf("   %-22s %3.4g of %g  %s%s\n", report.submission.c_str(), report.score, report.max_score, words.size() > 41 ? "\n      " : " ", words.c_str());
-    std::fflush(stdout);
-    char score[32];
-    std::snprintf(score, sizeof score, "%g", report.score);
-    links += "<li><a href=\"class/" + report::escape(report.submission) + "/report.html\">" + report::escape(report.submission) + "</a>: " + score + " of 100 (" +
-             report::escape(says) + ")" + (found.empty() ? "" : "; named: <code>" + report::escape(found) + "</code>") + "</li>\n";
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const grader::ClassRow& row = rows[k];
+    const std::string &name = row.entry.student, says = students[k][1];
+    if (!row.trouble.empty()) return Fault{Fault::Kind::unreadable, name, row.trouble};
+    const std::string found = fmt::format("{}", fmt::join(row.diagnoses, ", ")), words = found.empty() ? says : found;
+    std::printf("   %-22s %3.4g of %g%s%s\n", name.c_str(), row.score, row.max_score, words.size() > 41 ? "\n      " : "   ", words.c_str());
+    links += fmt::format("<li><a href=\"class/{0}/report.html\">{0}</a>: {1:g} of {2:g} ({3}){4}</li>\n", name, row.score, row.max_score, says,
+                         found.empty() ? "" : "; named: <code>" + report::escape(found) + "</code>");
   }
-  return "<h2>A class of " + std::to_string(std::size(students)) + ", graded</h2><p>Every submission was compiled unchanged and run in a locked-down process; each link is a student's report.</p><ul>" + links + "</ul>\n";
+  if (const auto written = grader::write_class(options.out, rows, rubric); !written) return written.fault();
+  return fmt::format("<h2>A class of {}, graded</h2><p>Every submission was compiled unchanged and run in a locked-down process: <a href=\"class/class.html\">the class page</a>, and each "
+                     "student's report:</p><ul>{}</ul>\n", rows.size(), links);
 }
 
 Outcome<std::string> run_scene(const fs::path& out) {
-  std::printf("2. The assignment's scene: ten cuboids, 20 s\n");
   Scene scene = builtin_scene("assignment", 3);
+  std::printf("2. The assignment's scene: ten cuboids, 20 s, seed %llu\n", static_cast<unsigned long long>(scene.seed));
   scene.every = 1.0 / 30;
   TrajectoryCsv csv;
   view::Recording recording(scene, scene.method);
@@ -109,11 +104,12 @@ Outcome<std::string> run_scene(const fs::path& out) {
     play = " <a href=\"scene/replay.html\">Play it</a>;";
   }
   const Ledger& l = run.ledger;
-  std::printf("   %ld steps in %.2f s; %ld impacts; energy %.4g -> %.4g J\n   (restitution lost %.4g J, friction %.4g J)\n", run.steps, wall, l.impacts,
-              l.energy.start, l.energy.end, l.energy.restitution_loss, l.energy.friction_loss);
-  char text[200];
-  std::snprintf(text, sizeof text, "%ld steps, %ld impacts, %.2f s of wall time for 20 s.", run.steps, l.impacts, wall);
-  return "<h2>The assignment's scene</h2><p>" + std::string(text) + play + " <a href=\"scene/trajectory.csv\">trajectory.csv</a>, <a href=\"scene/summary.json\">summary.json</a></p>" +
+  const Overlap overlap = overlap_at_start(scene);
+  const std::string begins = fmt::format("{} cuboids begin inside walls or each other, up to {:.3g} m; pushed out", overlap.cuboids, overlap.depth);
+  std::printf("   %ld steps in %.2f s; %ld impacts; energy %.4g -> %.4g J:\n   correction %.4g J, restitution lost %.4g, friction %.4g,\n   the steps' own %.4g\n   (%s)\n", run.steps, wall, l.impacts,
+              l.energy.start, l.energy.end, l.energy.correction, l.energy.restitution_loss, l.energy.friction_loss, l.energy.stepper, begins.c_str());
+  const std::string text = fmt::format("Seed {}: {} steps, {} impacts, {:.2f} s of wall time for 20 s. {}; that is the assignment's draw.", scene.seed, run.steps, l.impacts, wall, begins);
+  return "<h2>The assignment's scene</h2><p>" + text + play + " <a href=\"scene/trajectory.csv\">trajectory.csv</a>, <a href=\"scene/summary.json\">summary.json</a></p>" +
          report::figure(plot, "Ten cuboids fall into a room and come to rest: the first " + std::to_string(int(shown)) + " s.");
 }
 

@@ -127,7 +127,9 @@ int grade_command(const Options& options) {
     if (!read) return bad_input(read.fault().text());
     rubric = *read;
   }
-  for (const std::string& warning : grader::warnings(rubric, false))
+  // a rubric is an instructor's, who gives marks by it; without one, or with a seed given, somebody tries or replays
+  const bool gives_marks = options.reader == grader::Reader::instructor && !options.rubric.empty() && !options.practice && options.seed == 0;
+  for (const std::string& warning : grader::warnings(rubric, gives_marks))
     if (!practises) std::fprintf(stderr, "rigor grade: %s\n", warning.c_str());
   if (options.practice) rubric.seed = rubric.practice_seed;
   if (options.seed != 0) rubric.seed = options.seed;

@@ -42,7 +42,7 @@ class Filled : public CLI::Formatter {
 
 // A wrong word after `rigor` is the commonest mistake: name the nearest command.
 int unknown_command(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> known{"test"};
+  std::vector<std::string> known{"test", "help"};
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   std::fprintf(stderr, "rigor: there is no command '%s'%s; 'rigor --help' lists them\n", word.c_str(),
                rigor::did_you_mean(word, known).c_str());
@@ -92,21 +92,22 @@ int main(int argc, char** argv) {
   app.formatter(std::make_shared<Filled>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "rigor " RIGOR_VERSION);
-  app.footer("Start with:  ./rigor demo      Every command: rigor COMMAND --help");
+  app.footer("Start with:  ./rigor demo      Every command: rigor help COMMAND");
   int exit_status = 0;
   rigor::cli::add_commands(app, exit_status);
-  if (argc > 1 && argv[1][0] != '-') {
-    const std::string word = argv[1];
-    const auto named = [&](const CLI::App* command) { return command->get_name() == word; };
-    if (std::as_const(app).get_subcommands(named).empty()) return unknown_command(app, word);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "help") words = words.size() == 1 ? std::vector<std::string>{"--help"} : std::vector<std::string>{words[1], "--help"};
+  if (!words.empty() && words[0][0] != '-') {
+    const auto named = [&](const CLI::App* command) { return command->get_name() == words[0]; };
+    if (std::as_const(app).get_subcommands(named).empty()) return unknown_command(app, words[0]);
   }
   try {
     rigor::catch_interrupts();
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
     return flushed(exit_status);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return flushed(app.exit(error));  // --help, --version
-    return usage_error(app, error, {argv + 1, argv + argc});
+    return usage_error(app, error, words);
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "rigor: out of memory; a shorter run, fewer bodies or a larger output interval needs less\n");
     return 3;

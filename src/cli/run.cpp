@@ -14,6 +14,7 @@
 #include <rigor/engine/located.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/scene/method_names.hpp>
+#include <rigor/scene/overlap.hpp>
 #include <rigor/scene/trajectory.hpp>
 #include <rigor/studies/cell.hpp>
 #include <rigor/view/replay.hpp>
@@ -49,9 +50,12 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   fmt::print("\n  {:<18} {} to t = {} s in {:.3f} s\n", located ? "advances" : "steps", run.steps, brief(run.t_end, "%g"), wall);
   const auto four = [](double x) { return brief(x, "%.4g"); };
   const auto three = [](double x) { return brief(x, "%.3g"); };
+  if (const Overlap overlap = overlap_at_start(scene); overlap.cuboids > 0)
+    fmt::print("  starts inside      walls or each other: {}, by up to {} m;\n                     pushed out at once\n", count(overlap.cuboids, "cuboid"), three(overlap.depth));
   fmt::print("  energy             {} J -> {} J\n", brief(l.energy.start, "%.6g"), brief(l.energy.end, "%.6g"));
   fmt::print("    accounted for    work {}, restitution lost {}, friction lost {},\n", four(l.energy.work), four(l.energy.restitution_loss), four(l.energy.friction_loss));
-  fmt::print("                     correction {}, switched {} J\n", four(l.energy.correction), four(l.energy.switched));
+  fmt::print("                     correction {}, switched {}, the steps' own {} J\n", four(l.energy.correction), four(l.energy.switched), four(l.energy.stepper));
+  fmt::print("  steps' own, worst  energy {} J, angular momentum {} kg m^2/s\n", three(l.energy.worst_stepper), three(l.angular.worst_stepper));
   fmt::print("  unexplained, worst energy {} J, linear momentum {} N s,\n", three(l.energy.worst_drift), three(l.linear.worst_drift));
   fmt::print("                     angular momentum {} kg m^2/s\n", three(l.angular.worst_drift));
   fmt::print("  impacts            {}: planes {}, pairs {}; {} gained energy\n", l.impacts, l.plane_impacts, l.pair_impacts, l.energy_rises);
@@ -80,10 +84,10 @@ std::string cut_short(const RunSummary& run, bool located) {
 
 // What the methods make of one scene, line under line.
 void print_beside(const std::vector<std::pair<std::string, RunSummary>>& runs) {
-  fmt::print("by method: energy at the end; worst unexplained energy, linear and angular\nmomentum\n  {:<20}{:>14}{:>11}{:>11}{:>11}{:>10}\n", "", "J", "J", "N s", "kg m^2/s", "impacts");
+  fmt::print("by method: energy at the end; what the steps by themselves made of energy and\nangular momentum, at worst\n  {:<20}{:>14}{:>14}{:>14}{:>10}\n", "", "J", "J", "kg m^2/s", "impacts");
   for (const auto& [method, run] : runs) {
     const Ledger& l = run.ledger;
-    fmt::print("  {:<20}{:>14}{:>11}{:>11}{:>11}{:>10}\n", method, brief(l.energy.end, "%.6g"), brief(l.energy.worst_drift), brief(l.linear.worst_drift), brief(l.angular.worst_drift), l.impacts);
+    fmt::print("  {:<20}{:>14}{:>14}{:>14}{:>10}\n", method, brief(l.energy.end, "%.6g"), brief(l.energy.worst_stepper), brief(l.angular.worst_stepper), l.impacts);
     if (const std::string why = cut_short(run, method == "located"); !why.empty()) fmt::print("{}", report::filled(why, 80, 4));
   }
 }

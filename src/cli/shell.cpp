@@ -5,12 +5,16 @@
 #include <rigor/cli/explain.hpp>
 #include <rigor/cli/shell.hpp>
 #include <rigor/cli/texts.hpp>
+#include <rigor/grader/check.hpp>
 #include <rigor/scene/method_names.hpp>
+#include <rigor/scene/plan.hpp>
 #include <rigor/scene/scene.hpp>
 #include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
+#include <rigor/studies/peer.hpp>
 #include <rigor/studies/plan.hpp>
 #include <rigor/studies/problem.hpp>
+#include <rigor/studies/table.hpp>
 
 namespace rigor::cli {
 namespace {
@@ -21,6 +25,12 @@ std::string joined(const Words& words, const std::string& between = " ") {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
+}
+template <class Items, class Name>
+Words names_of(const Items& items, const Name& name) {
+  Words words;
+  for (const auto& item : items) words.push_back(item.*name);
+  return words;
 }
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) text.replace(at, what.size(), with);
@@ -39,6 +49,15 @@ Words values(const std::string& command, const std::string& option) {
   if (option == "SCENE") return builtin_scenes();
   if (option == "--method" || option == "--beside") return command == "run" ? scene_methods() : method_names();
   if (option == "--problem") return problems();
+  if (option == "--peer") return names_of(studies::peers(), &studies::Peer::name);
+  if (option == "--sums") return {"plain", "carried"};
+  if (option == "--check") return names_of(grader::checks(), &grader::Check::id);
+  if (option == "--table") return names_of(studies::frozen_tables(), &studies::FrozenTable::name);
+  if (option == "--no-skip") {
+    Words ids = names_of(plan({}, {}), &PlanLine::id);
+    ids.push_back("all");
+    return ids;
+  }
   if (command == "study" && option == "KIND") return studies::study_kinds();
   if (command == "export" && option == "WHAT") return {"kit", "autolab", "gradescope"};
   if (command == "shell" && option == "KIND") return {"bash", "zsh", "man"};
@@ -49,15 +68,20 @@ Words values(const std::string& command, const std::string& option) {
 
 struct Entry {
   std::string name, description;
-  bool takes_value;
+  std::string range, standard;  // "in [1, 24]"; what it is where it is not given; "" where the description says it
+  bool takes_value, takes_list;  // a list: values with commas between them
 };
 // Options first, then what is given by place.
 std::vector<Entry> entries(const CLI::App& command) {
   std::vector<Entry> all;
   for (const bool by_place : {false, true})
     for (const CLI::Option* option : command.get_options())
-      if (option->get_positional() == by_place)
-        all.push_back({option->get_name(false, false), option->get_description(), option->get_items_expected_max() > 0});
+      if (option->get_positional() == by_place) {
+        const std::string type = option->get_type_name();  // "INT:in [1, 24]"
+        const std::size_t colon = type.find(':');
+        all.push_back({option->get_name(false, false), option->get_description(), colon == std::string::npos ? "" : type.substr(colon + 1), option->get_default_str(),
+                       option->get_items_expected_max() > 0, option->get_delimiter() != '\0'});
+      }
   for (Entry& entry : all)  // "-h,--help" is --help
     if (const std::size_t comma = entry.name.rfind(','); comma != std::string::npos) entry.name = entry.name.substr(comma + 1);
   return all;
@@ -103,7 +127,7 @@ std::string bash_completion(const CLI::App& app) {
       }
       options.push_back(entry.name);
       if (entry.takes_value && of.empty()) files.push_back(entry.name);
-      else if (entry.takes_value) after += "        " + entry.name + ") words=" + quoted(joined(of)) + " ;;\n";
+      else if (entry.takes_value) after += "        " + entry.name + ") words=" + quoted(joined(of)) + (entry.takes_list ? " list=yes" : "") + " ;;\n";
     }
     if (!files.empty()) after += "        " + joined(files, " | ") + ") words= ;;\n";
     cases += "    " + command->get_name() + ")\n      words=" + quoted(joined(by_place)) + "\n      [[ $word == -* ]] && words=" + quoted(joined(options)) + "\n";
@@ -112,11 +136,13 @@ std::string bash_completion(const CLI::App& app) {
   }
   return "# bash completion for rigor: written by `rigor shell bash`, to source or to put into bash-completion's directory\n"
          "_rigor() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} words=\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} words= list= given=\n"
          "  case ${COMP_WORDS[1]} in\n" + cases +
+         "    help)\n      words=" + quoted(joined(names)) + "\n      ;;\n"
          "  esac\n"
-         "  if ((COMP_CWORD == 1)); then words=" + quoted(joined(names) + " --help --version") + "; fi\n"
-         "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+         "  if ((COMP_CWORD == 1)); then words=" + quoted(joined(names) + " help --help --version") + "; fi\n"
+         "  if [[ $list && $word == *,* ]]; then given=${word%,*},; fi\n"
+         "  mapfile -t COMPREPLY < <(compgen -P \"$given\" -W \"$words\" -- \"${word#\"$given\"}\")\n"
          "}\n"
          "complete -o default -F _rigor rigor ./rigor\n";
 }
@@ -128,13 +154,14 @@ std::string zsh_completion(const CLI::App& app) {
     cases += "    " + command->get_name() + ") _arguments";
     for (const Entry& entry : entries(*command)) {
       const Words of = values(command->get_name(), entry.name);
-      const std::string what = of.empty() ? "_files" : "(" + joined(of) + ")", message = zsh_text(entry.description);
+      const std::string what = of.empty() ? "_files" : entry.takes_list ? "_values -s , value " + joined(of) : "(" + joined(of) + ")", message = zsh_text(entry.description);
       if (!is_option(entry)) cases += " \\\n      " + quoted("*:" + message + ":" + what);
       else if (entry.takes_value) cases += " \\\n      " + quoted("*" + entry.name + "[" + message + "]:value:" + what);
       else cases += " \\\n      " + quoted(entry.name + "[" + message + "]");
     }
     cases += " ;;\n";
   }
+  cases += "    help) _describe -t commands command commands ;;\n";
   return "#compdef rigor\n# zsh completion for rigor: written by `rigor shell zsh`, to put as _rigor into a directory of fpath\n"
          "_rigor() {\n  local -a commands\n  commands=(\n" + names + "  )\n"
          "  if ((CURRENT == 2)); then\n    _describe -t commands command commands\n    return\n  fi\n"
@@ -150,6 +177,10 @@ std::string man_page(const CLI::App& app) {
     for (const Entry& entry : entries(*command)) {
       page += ".TP\n" + std::string(is_option(entry) ? ".B " : ".I ") + roff(entry.name) + "\n" + roff(entry.description) + "\n";
       if (const Words of = values(command->get_name(), entry.name); !of.empty() && of.size() < 30 && entry.description.find(of[0]) == std::string::npos) page += ".br\n" + roff(joined(of, ", ")) + "\n";
+      Words limits;
+      if (!entry.range.empty()) limits.push_back(entry.range);
+      if (!entry.standard.empty()) limits.push_back(entry.standard + " by default");
+      if (!limits.empty()) page += ".br\n" + roff(joined(limits, "; ")) + "\n";
     }
     page += ".PP\n" + roff(example_of(*command)) + "\n";
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <rigor/base/file.hpp>
 #include <rigor/grader/class_run.hpp>
 #include <rigor/grader/misconceptions.hpp>
 #include <rigor/report/html.hpp>
@@ -230,6 +231,12 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
                                                        : escape(pairs.front().first + " failed more than " + pairs.front().second + " and has more points: " + std::to_string(pairs.size()) + " such pairs")) + "</p>";
   page.footer = "seed " + std::to_string(rubric.seed) + ", " + std::to_string(rubric.cases) + " cases a check, rubric " + rubric.hash();
   return report::render(page);
+}
+
+Outcome<bool> write_class(const std::filesystem::path& out, const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed) {
+  for (const auto& [name, text] : {std::pair{"scores.csv", scores_csv(rows)}, std::pair{"matrix.csv", matrix_csv(rows)}, std::pair{"class.html", class_html(rows, rubric, changed)}})
+    if (const auto written = write_file(out / name, text); !written) return written;
+  return true;
 }
 
 }  // namespace rigor::grader

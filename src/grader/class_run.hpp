@@ -70,6 +70,8 @@ Outcome<Filled> fill_gradebook(const std::filesystem::path& gradebook, const std
 std::string scores_csv(const std::vector<ClassRow>& rows);
 std::string matrix_csv(const std::vector<ClassRow>& rows);
 std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed = {});
+/// The three beside the reports: scores.csv, matrix.csv, class.html. Faults: unwritable.
+Outcome<bool> write_class(const std::filesystem::path& out, const std::vector<ClassRow>& rows, const Rubric& rubric, const std::vector<Change>& changed = {});
 
 /// Pairs (a, b): a failed everything b failed and more, yet has more points. Empty when grading is fair.
 std::vector<std::pair<std::string, std::string>> unfair(const std::vector<ClassRow>& rows);

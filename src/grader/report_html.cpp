@@ -86,12 +86,12 @@ std::string one(const Report& report, const CheckResult& r, std::map<std::string
 
 // Points by part, and where they were lost.
 std::string summary(const Report& report) {
-  std::vector<std::vector<std::string>> groups;
+  std::vector<std::string> groups;
   std::vector<double> points, most;
   std::string lost;
   for (const CheckResult& r : report.results) {
     if (!shown(report, r)) continue;
-    if (groups.empty() || groups.back()[0] != r.group) groups.push_back({r.group}), points.push_back(0), most.push_back(0);
+    if (groups.empty() || groups.back() != r.group) groups.push_back(r.group), points.push_back(0), most.push_back(0);
     points.back() += r.points;
     most.back() += r.max_points;
     if (r.points >= r.max_points) continue;
@@ -99,10 +99,12 @@ std::string summary(const Report& report) {
     if (!r.diagnosis.empty()) lost += "; likely " + escape(r.diagnosis.front().text);
     lost += "</li>\n";
   }
-  for (std::size_t i = 0; i < groups.size(); ++i) groups[i].insert(groups[i].end(), {brief(points[i]), brief(most[i])});
+  std::vector<std::vector<std::string>> parts;  // without those that are advice only
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    if (most[i] > 0) parts.push_back({groups[i], brief(points[i]), brief(most[i])});
   return "<p class=\"total\"><strong>" + brief(report.score) + "</strong> of " + brief(report.max_score) + " points</p>\n" +
          (report.rubric_points == 100 ? "" : "<p>The points of this rubric add up to " + brief(report.rubric_points) + ", not 100.</p>\n") +
-         (withheld(report).empty() ? "" : "<p>" + withheld(report) + ".</p>\n") + rigor::report::table({"part", "points", "of"}, groups, {1, 2}, "Points by part") +
+         (withheld(report).empty() ? "" : "<p>" + withheld(report) + ".</p>\n") + rigor::report::table({"part", "points", "of"}, parts, {1, 2}, "Points by part") +
          (lost.empty() ? "" : "<h2>Where points were lost</h2>\n<ul>" + lost + "</ul>\n");
 }
 

@@ -227,12 +227,12 @@ double Rubric::total_points() const {
   return total;
 }
 
-std::vector<std::string> warnings(const Rubric& rubric, bool for_students) {
+std::vector<std::string> warnings(const Rubric& rubric, bool secret_seed) {
   std::vector<std::string> all;
   const std::string file = rubric.path.empty() ? "the default rubric" : rubric.path;
   if (std::fabs(rubric.total_points() - 100) > 1e-9) all.push_back(file + ": the points add up to " + number_text(rubric.total_points()) + ", not 100");
-  if (for_students && rubric.seed == Rubric{}.seed)
-    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default, with which everybody can draw the graded cases; write one of your own");
+  if (secret_seed && rubric.seed == Rubric{}.seed)
+    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default, with which everybody can draw the graded cases; set one of your own: seed = NUMBER in the file of --rubric");
   return all;
 }
 

@@ -69,8 +69,8 @@ Outcome<Rubric> read_rubric(const std::filesystem::path& path);
 Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name);
 
 /// What an instructor should know before grading with it, one sentence each: points that do not add up to 100, the
-/// public default as the seed of the graded cases (`for_students`: of what is handed to a platform).
-std::vector<std::string> warnings(const Rubric& rubric, bool for_students);
+/// public default as the seed of the graded cases (where that should be a `secret_seed`: marks are to come of it).
+std::vector<std::string> warnings(const Rubric& rubric, bool secret_seed);
 
 /// The default rubric as TOML, with a comment on every line: what `read_rubric` of it gives is `Rubric{}`.
 std::string default_rubric_text();

@@ -197,8 +197,8 @@ std::string LiveScene::status() const {
                      {"dynamic_friction", scene.surface.dynamic_friction()}};
   json["energy"] = {{"start", l.energy.start}, {"now", l.energy.end}, {"work", l.energy.work}, {"restitution_loss", l.energy.restitution_loss},
                     {"friction_loss", l.energy.friction_loss}, {"correction", l.energy.correction}, {"switched", l.energy.switched},
-                    {"worst_drift", l.energy.worst_drift}};
-  json["momentum"] = {{"linear", norm<double>(l.linear.end)}, {"linear_drift", l.linear.worst_drift},
+                    {"stepper", l.energy.stepper}, {"worst_drift", l.energy.worst_drift}};
+  json["momentum"] = {{"linear", norm<double>(l.linear.end)}, {"linear_drift", l.linear.worst_drift}, {"angular_stepper", norm<double>(l.angular.stepper)},
                       {"angular", norm<double>(l.angular.end)}, {"angular_drift", l.angular.worst_drift}};
   json["impacts"] = {{"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}};
   json["skips"] = {{"pairs", l.skips.pairs}, {"pairs_of", l.skips.pairs_of}, {"planes", l.skips.planes}, {"planes_of", l.skips.planes_of}};

@@ -47,7 +47,7 @@ h3{font-size:1.05rem;margin:1.2rem 0 .3rem}p.lead{color:var(--soft);margin:.2rem
 a{color:var(--link)}a:focus-visible,summary:focus-visible,.scroll:focus-visible{outline:3px solid var(--link);outline-offset:2px}
 code,pre{font:0.9em/1.45 ui-monospace,"DejaVu Sans Mono","Liberation Mono",monospace}
 pre{background:var(--card);border:1px solid var(--line);border-radius:6px;padding:.7rem;overflow-x:auto;white-space:pre-wrap;overflow-wrap:anywhere}
-.scroll{overflow-x:auto}table{border-collapse:collapse;margin:.6rem 0;font-variant-numeric:tabular-nums}
+.scroll{overflow-x:auto;overflow-y:hidden}.scroll:has(>math){padding-block:.7rem}table{border-collapse:collapse;margin:.6rem 0;font-variant-numeric:tabular-nums}
 p.caption{color:var(--soft);margin:.6rem 0 0}p.caption+table{margin-top:.2rem}th,td{border-bottom:1px solid var(--line);padding:.28rem .6rem;text-align:left;vertical-align:top}
 th{font-weight:600}td.n,th.n{text-align:right}.card{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:.8rem 1rem;margin:.8rem 0}
 .good{color:var(--good)}.bad{color:var(--bad)}.warn{color:var(--warn)}.soft{color:var(--soft)}

@@ -30,7 +30,7 @@ Scene assignment(std::uint64_t seed) {
   s.every = 1.0 / 30;
   return s;
 }
-// A plate let go 1 m above the floor, level.
+// A block let go 1 m above the floor, level.
 Scene drop(std::uint64_t) {
   Scene s;
   State<double> start;

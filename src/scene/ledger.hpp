@@ -3,7 +3,8 @@
 
 namespace rigor {
 
-/// Accounts over a run. What is not explained by loads, impacts and corrections is the method's own error: `drift`.
+/// Accounts over a run. A method's own error is an account too, `stepper`: what its free steps gave or took beside the work
+/// of the loads. What no account explains, `drift`, is rounding.
 struct Ledger {
   struct Energy {
     double start = 0, end = 0;      ///< kinetic + potential, J
@@ -11,11 +12,15 @@ struct Ledger {
     double restitution_loss = 0, friction_loss = 0;  ///< in impacts
     double correction = 0;          ///< potential energy given by pushing bodies out of planes and each other
     double switched = 0;            ///< potential energy that came or went with the gravity switch
+    double stepper = 0;             ///< by free steps: after less before, less the work of the load
+    double worst_stepper = 0;       ///< largest |stepper| on the way
     double worst_drift = 0;
   } energy;
   struct Momentum {
     Vec3<double> start = zero3<double>(), end = start;
     Vec3<double> external = start;  ///< given by gravity, forces, planes (and, for L, by position corrections)
+    Vec3<double> stepper = start;   ///< as in energy; of L only, less the load's moment at the beginning of the step
+    double worst_stepper = 0;
     double worst_drift = 0;
   } linear, angular;                ///< N s; kg m²/s about the world's origin
   struct Skips {

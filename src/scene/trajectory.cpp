@@ -15,7 +15,7 @@ void append(std::string& out, double x) {
 
 nlohmann::ordered_json vector(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
 nlohmann::ordered_json momentum(const Ledger::Momentum& m) {
-  return {{"start", vector(m.start)}, {"end", vector(m.end)}, {"external", vector(m.external)}, {"worst_drift", m.worst_drift}};
+  return {{"start", vector(m.start)}, {"end", vector(m.end)}, {"external", vector(m.external)}, {"stepper", vector(m.stepper)}, {"worst_stepper", m.worst_stepper}, {"worst_drift", m.worst_drift}};
 }
 
 }  // namespace
@@ -62,7 +62,8 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
       {"interrupted", run.interrupted},
       {"energy",
        {{"start", e.start}, {"end", e.end}, {"work", e.work}, {"restitution_loss", e.restitution_loss},
-        {"friction_loss", e.friction_loss}, {"correction", e.correction}, {"switched", e.switched}, {"worst_drift", e.worst_drift}}},
+        {"friction_loss", e.friction_loss}, {"correction", e.correction}, {"switched", e.switched}, {"stepper", e.stepper},
+        {"worst_stepper", e.worst_stepper}, {"worst_drift", e.worst_drift}}},
       {"linear_momentum", momentum(l.linear)},
       {"angular_momentum", momentum(l.angular)},
       {"impacts", {{"total", l.impacts}, {"planes", l.plane_impacts}, {"pairs", l.pair_impacts}, {"energy_rises", l.energy_rises}}},

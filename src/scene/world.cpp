@@ -130,6 +130,14 @@ void World::move(std::size_t i, const V& shift) {
   still_[i] = false;  // nothing is hit without being moved first
   if (i < shifted_.size()) worst_shift_ = std::fmax(worst_shift_, shifted_[i] += norm<double>(shift));
 }
+// Contact laws know the state alone. A method that carries an L beside a spin not quite of it (euler-momentum) loses the difference.
+void World::keep_state_alone(std::size_t i) {
+  const Motion kept = motion_of(shape(i), motions_[i].state);
+  const V lost = motions_[i].L_W - kept.L_W;
+  ledger_.energy.stepper -= dot<double>(kept.state.w_WB, lost) / 2;
+  ledger_.angular.stepper -= lost;
+  motions_[i] = kept;
+}
 void World::against_plane(std::size_t i, const Plane<double>& plane) {
   const State<double> before = motions_[i].state;
   ++ledger_.skips.planes_of;
@@ -140,6 +148,8 @@ void World::against_plane(std::size_t i, const Plane<double>& plane) {
   const PlaneResponse<double> response = respond_to_plane<double>(shape(i), before, plane, scene_.surface, scene_.friction_law, loads_[i].f_W);
   if (response.corners == 0) return;
   ledger_.deepest_penetration = std::fmax(ledger_.deepest_penetration, norm<double>(response.shift));
+  keep_state_alone(i);
+  const V L_before = motions_[i].L_W;
   move(i, response.shift);
   State<double>& s = motions_[i].state;
   s.p_WB = response.after.p_WB;
@@ -151,7 +161,7 @@ void World::against_plane(std::size_t i, const Plane<double>& plane) {
   const V push = shape(i).mass() * (s.v_WB - before.v_WB);
   ledger_.linear.external += push;
   motions_[i] = motion_of(shape(i), s);
-  ledger_.angular.external += cross<double>(s.p_WB, push) + motions_[i].L_W - motion_of(shape(i), before).L_W;
+  ledger_.angular.external += cross<double>(s.p_WB, push) + motions_[i].L_W - L_before;
 }
 // Every pair i < j in order; those far apart are left out. Who is near was found with a margin to spare: it is found anew when
 // somebody has gone half of what two may share of it. Position corrections may bring bodies nearer while the pairs are gone
@@ -222,6 +232,7 @@ void World::against_each_other(std::size_t i, std::size_t j) {
   const auto frictionless = *Surface<double>::make(scene_.surface.restitution(), 0, 0);
   const ImpactResult<double> result = resolve_impact<double>(contact, {{a.v_WB, a.w_WB}, {b.v_WB, b.w_WB}}, frictionless, scene_.friction_law);
   if (result.report.separating) return;
+  keep_state_alone(i), keep_state_alone(j);
   note(int(i), j, point, result.report), ++ledger_.pair_impacts;
   for (auto [k, after] : {std::pair{i, result.after.A}, std::pair{j, result.after.B}}) {
     State<double> s = motions_[k].state;
@@ -237,13 +248,19 @@ void World::advance(std::size_t i, double h) {
     return;
   }
   const State<double> before = motions_[i].state;
+  const double kinetic_before = kinetic(i);
+  const V about_origin_before = angular(i);
   const Load& load = loads_[i];
   motions_[i] = method_->step(shape(i), motions_[i], load, h);
   const State<double>& after = motions_[i].state;
-  const V weight = shape(i).mass() * gravity_;
-  ledger_.energy.work += dot<double>(V(load.f_W - weight), V(after.p_WB - before.p_WB)) + h * dot<double>(load.tau_W, V((before.w_WB + after.w_WB) / 2));
+  const V weight = shape(i).mass() * gravity_, moved = after.p_WB - before.p_WB;
+  const V moment = h * (cross<double>(before.p_WB, load.f_W) + load.tau_W);
+  const double turned = h * dot<double>(load.tau_W, V((before.w_WB + after.w_WB) / 2));
+  ledger_.energy.work += dot<double>(V(load.f_W - weight), moved) + turned;
+  ledger_.energy.stepper += kinetic(i) - kinetic_before - dot<double>(load.f_W, moved) - turned;
   ledger_.linear.external += h * load.f_W;
-  ledger_.angular.external += h * (cross<double>(before.p_WB, load.f_W) + load.tau_W);
+  ledger_.angular.external += moment;
+  ledger_.angular.stepper += angular(i) - about_origin_before - moment;
   ledger_.worst_orthonormality = std::fmax(ledger_.worst_orthonormality, orthonormality_defect<double>(after.R_WB));
   // A step is a map of motion and load, and of h times rates: where those are zeros and it changed no bit, it never will; nor will its accounts.
   const auto zero = [](const V& x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
@@ -257,11 +274,16 @@ double World::potential() const {
 }
 double World::energy() const {
   double sum = potential();
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    const State<double>& s = motions_[i].state;
-    sum += (shape(i).mass() * dot<double>(s.v_WB, s.v_WB) + dot<double>(s.w_WB, motions_[i].L_W)) / 2;
-  }
+  for (std::size_t i = 0; i < motions_.size(); ++i) sum += kinetic(i);
   return sum;
+}
+double World::kinetic(std::size_t i) const {
+  const State<double>& s = motions_[i].state;
+  return (shape(i).mass() * dot<double>(s.v_WB, s.v_WB) + dot<double>(s.w_WB, motions_[i].L_W)) / 2;
+}
+V World::angular(std::size_t i) const {
+  const State<double>& s = motions_[i].state;
+  return cross<double>(s.p_WB, V(shape(i).mass() * s.v_WB)) + motions_[i].L_W;
 }
 V World::linear() const {
   V sum = zero3<double>();
@@ -270,18 +292,20 @@ V World::linear() const {
 }
 V World::angular() const {
   V sum = zero3<double>();
-  for (std::size_t i = 0; i < motions_.size(); ++i)
-    sum += cross<double>(motions_[i].state.p_WB, V(shape(i).mass() * motions_[i].state.v_WB)) + motions_[i].L_W;
+  for (std::size_t i = 0; i < motions_.size(); ++i) sum += angular(i);
   return sum;
 }
 void World::audit() {
   Ledger::Energy& e = ledger_.energy;
   e.end = energy();
-  e.worst_drift = std::fmax(e.worst_drift, std::fabs(e.end - e.start - e.work - e.correction - e.switched + e.restitution_loss + e.friction_loss));
+  e.worst_drift = std::fmax(e.worst_drift, std::fabs(e.end - e.start - e.work - e.correction - e.switched - e.stepper + e.restitution_loss + e.friction_loss));
+  e.worst_stepper = std::fmax(e.worst_stepper, std::fabs(e.stepper));
   ledger_.linear.end = linear();
   ledger_.angular.end = angular();
-  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular})
-    m->worst_drift = std::fmax(m->worst_drift, norm<double>(V(m->end - m->start - m->external)));
+  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) {
+    m->worst_drift = std::fmax(m->worst_drift, norm<double>(V(m->end - m->start - m->external - m->stepper)));
+    m->worst_stepper = std::fmax(m->worst_stepper, norm<double>(m->stepper));
+  }
 }
 
 }  // namespace rigor

@@ -64,14 +64,17 @@ class World {
   void add_load(std::size_t i, const Vec3<double>& arm, const Vec3<double>& force);
   void note(int A, std::size_t B, const Vec3<double>& p_WC, const ImpactReport<double>& report);
   void move(std::size_t i, const Vec3<double>& shift);
+  void keep_state_alone(std::size_t i);
   void against_plane(std::size_t i, const Plane<double>& plane);
   void pairs();
   double strayed() const;
   void against_each_other(std::size_t i, std::size_t j);
   void advance(std::size_t i, double h);
+  double kinetic(std::size_t i) const;
   double potential() const;
   double energy() const;
   Vec3<double> linear() const;
+  Vec3<double> angular(std::size_t i) const;  ///< about the world's origin
   Vec3<double> angular() const;
   void audit();
 

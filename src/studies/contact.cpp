@@ -196,7 +196,7 @@ Row contact(const Cell& cell, Student* student) {
   }
   if (!summary.finite) row.failed = "left the numbers";
   row.put("error", summary.finite ? reading.error() : std::nan(""));
-  row.put("unexplained_J", summary.ledger.energy.worst_drift);
+  row.put("own_J", summary.ledger.energy.worst_stepper);
   row.put("restitution_J", summary.ledger.energy.restitution_loss);
   row.put("friction_J", summary.ledger.energy.friction_loss);
   row.put("impacts", double(summary.ledger.impacts));

@@ -15,7 +15,7 @@ struct ContactProblem {
 const std::vector<ContactProblem>& contact_problems();
 
 /// A contact cell: `steps` in a second of the method's stepper, or method "located", or the student's. Values: error, and of
-/// ours the energy ledger (unexplained, restitution, friction) and the number of impacts.
+/// ours the energy ledger (what the steps made by themselves at worst, restitution, friction) and the number of impacts.
 Row contact(const Cell& cell, Student* student = nullptr);
 
 }  // namespace rigor::studies

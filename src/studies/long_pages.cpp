@@ -87,7 +87,7 @@ StudyPage contact_page(const std::vector<Row>& rows) {
       if (p.name == problem.name) known = &p;
     Section s{problem.name, {known->says + ".", "Answer: " + known->answer + "."}, {}, {}, {}};
     report::Plot plot{"Worst error against step: " + problem.name, "step, s", "worst error of the sweep", true, true, {}};
-    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "unexplained, J", "impacts"}, {}, 1};
+    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "steps' own, J", "impacts"}, {}, 1};
     Table sweep{"error by " + known->x, {known->x}, {}, 1};
     std::vector<std::vector<double>> columns;
     for (const Group& method : by_method(problem.rows)) {
@@ -100,7 +100,7 @@ StudyPage contact_page(const std::vector<Row>& rows) {
         for (const Row* row : method.rows) {
           if (row->cell.steps != n) continue;
           if (!std::isnan(worst) && !(row->at("error") <= worst)) worst = row->at("error"), at = row->cell.x;  // one that failed is the worst
-          ledger = std::fmax(ledger, row->at("unexplained_J"));
+          ledger = std::fmax(ledger, row->at("own_J"));
           impacts = std::fmax(impacts, row->at("impacts"));
         }
         t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), method.name.rfind("submission", 0) == 0 ? "" : brief(ledger),

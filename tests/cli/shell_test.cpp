@@ -53,6 +53,31 @@ TEST_F(Shell, BashOffersCommandsOptionsAndValues) {
   EXPECT_EQ(offered("explain force.tor"), "force.torque ");
   EXPECT_EQ(offered("run --out x"), " ") << "files, which bash offers itself";
   EXPECT_EQ(offered("nonsense x"), " ");
+  EXPECT_EQ(offered("grade --check force.p"), "force.pure ");
+  EXPECT_EQ(offered("run --no-skip pl"), "planes ");
+  EXPECT_EQ(offered("check-table --table \"\""), "free-flight impacts loaded-flight ");
+  EXPECT_EQ(offered("help gr"), "grade ");
+}
+
+// What a comma may follow is completed behind it too; what is one value is not.
+TEST_F(Shell, BashCompletesBehindACommaWhereTheOptionTakesAList) {
+  EXPECT_EQ(offered("study convergence --method sheet,euler-n"), "sheet,euler-naive ");
+  EXPECT_EQ(offered("study convergence --method sheet,rk4,tay"), "sheet,rk4,taylor16 ");
+  EXPECT_EQ(offered("run --no-skip pairs,l"), "pairs,loads ");
+  EXPECT_EQ(offered("grade --format text,ju"), "text,junit ");
+  EXPECT_EQ(offered("run --method sheet,rk"), " ") << "one method";
+}
+
+TEST_F(Shell, TheManPageHasRangesAndDefaults) {
+  const std::string man = man_page(app);
+  const auto entry = [&](const std::string& command, const std::string& option) {
+    const std::size_t from = man.find("\n.B " + option + "\n", man.find("\n.SS " + command + "\n"));
+    return man.substr(from, man.find("\n.TP\n", from) - from);
+  };
+  EXPECT_NE(entry("run", "\\-\\-dt").find("in [1e\\-30, 1e30] s"), std::string::npos) << entry("run", "\\-\\-dt");
+  EXPECT_NE(entry("demo", "\\-\\-out").find("out/demo by default"), std::string::npos) << entry("demo", "\\-\\-out");
+  EXPECT_NE(entry("audit", "\\-\\-seeds").find("in [1, 1000]; "), std::string::npos) << entry("audit", "\\-\\-seeds");
+  EXPECT_NE(entry("audit", "\\-\\-seeds").find(" by default"), std::string::npos) << entry("audit", "\\-\\-seeds");
 }
 
 TEST_F(Shell, EveryCommandAndOptionIsInAllThree) {

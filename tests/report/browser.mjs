@@ -53,6 +53,9 @@ test('a report shows what was judged: formula, picture, numbers, diagnosis, how 
     const page = await open(page_of(student)), report = report_of(student);
     await open_all(page);
     assert.equal(await page.locator('.card math').count(), report.checks.length, 'every check has its formula');
+    assert.equal(await page.locator('[aria-label=formula]').evaluateAll(all => all.filter(box => box.scrollHeight > box.clientHeight).length), 0, 'no formula is cut or scrolls up and down');
+    const most = await page.locator('table').first().locator('tbody td:last-child').allTextContents();
+    assert.ok(most.length > 4 && most.every(points => +points > 0), 'parts without points are not in the table of points');
     for (const check of report.checks) {
       const card = page.locator(`details[id="${check.id}"]`);
       assert.match(await card.locator('summary').textContent(), new RegExp(check.verdict === 'fail' && check.max_points === 0 ? 'advice' : check.verdict));

@@ -99,7 +99,7 @@ function listen(made) {
 
 // Numbers ---------------------------------------------------------------------------------------------------------------
 const window_s = 20;  // of the plot
-const plot = new TimePlot($('energy'), [{name: 'energy', color: '--s0', dash: 0}, {name: 'accounted for', color: '--s1', dash: 1}], undefined, window_s);
+const plot = new TimePlot($('energy'), [{name: 'energy', color: '--s0', dash: 0}, {name: 'but for the steps’ own', color: '--s1', dash: 1}], undefined, window_s);
 const past = [[], [], []];
 plot.line.remove();  // what is shown is always now
 const percent = (a, b) => b ? (100 * a / b).toFixed(1) + ' %' : 'none';
@@ -110,10 +110,12 @@ const rows = {
   'lost in impacts: friction, J': s => short(s.energy.friction_loss),
   'given by pushing apart, J': s => short(s.energy.correction),
   'gravity switched, J': s => short(s.energy.switched),
+  'given by the steps themselves, J': s => short(s.energy.stepper),
   'unexplained at worst, J': s => short(s.energy.worst_drift),
   'linear momentum, N s': s => short(s.momentum.linear),
   'unexplained at worst, N s': s => short(s.momentum.linear_drift),
   'angular momentum, kg m²/s': s => short(s.momentum.angular),
+  'given by the steps themselves, kg m²/s': s => short(s.momentum.angular_stepper),
   'unexplained at worst, kg m²/s': s => short(s.momentum.angular_drift),
   'impacts on planes': s => s.impacts.planes,
   'impacts of pairs': s => s.impacts.pairs,
