@@ -119,7 +119,8 @@ struct Worker::Process {
 
   /// Waits for one reply; the process may take `seconds` of its own for it: processor time after `begun_at`, and sleep.
   /// Sleep is what is seen asleep while no reply has come: a process that waits for a busy machine does not sleep.
-  Answer await(double seconds, double begun_at) {
+  /// `starting`: sleep is not its own but the sandbox's, which waits for the system while it is set up.
+  Answer await(double seconds, double begun_at, bool starting = false) {
     Reply reply;
     std::size_t have = 0;
     const auto begun = Clock::now();
@@ -129,12 +130,12 @@ struct Worker::Process {
       const double wall = std::chrono::duration<double>(Clock::now() - begun).count();
       if (wall - looked >= look) {
         const double cpu = cpu_now();
-        if (cpu == cpu_before && child.waits()) slept += look;
+        if (!starting && cpu == cpu_before && child.waits()) slept += look;
         cpu_before = cpu;
         looked = wall;
         spent = std::max(0.0, cpu - begun_at) + slept;
         if (wall >= wall_per_cpu * seconds || spent >= seconds)
-          return Death{Death::Kind::timeout, "took longer than " + seconds_words(seconds) + " for one call"};
+          return Death{Death::Kind::timeout, "took longer than " + seconds_words(seconds) + (starting ? " to start" : " for one call")};
       }
       pollfd fds[] = {{channel, POLLIN, 0}, {printed, POLLIN, 0}};
       const int events = poll(fds, printed_now > limits.output_bytes ? 1 : 2, int(1000 * look) + 1);
@@ -214,7 +215,7 @@ struct Worker::Process {
       // The first words a driver says, serial 0, before any call: from here on a fault is the function's own.
       serial = 0;
       printed_now = 0;
-      const auto hello = await(std::max(limits.call_s, 2.0), 0);
+      const auto hello = await(std::max(limits.call_s, 2.0), 0, true);
       if (const Death* death = std::get_if<Death>(&hello)) {
         never_starts = Death{Death::Kind::unstarted, "before main (in a static constructor): " + death->words};
         stop();
