@@ -110,6 +110,18 @@ test('a report is read with the keyboard, in the dark, on a phone, on paper and 
   assert.ok(await plain.locator('figure.plot > svg').first().isVisible());
 });
 
+// uPlot's own search for ticks does not end from 1.3647e-6/1.4 to 0.036918 times 1.4: of a run of `study work-precision`
+test('a logarithmic axis has its ticks whatever its ends', async () => {
+  const html = readFileSync(fileURLToPath(page_of('ada')), 'utf8'), [whole, text] = html.match(/<script type="application\/json">(.*?)<\/script>/s), plot = JSON.parse(text);
+  assert.ok(plot.log_x && plot.log_y);
+  plot.series = [{...plot.series[0], x: [0.01, 0.1, 1], y: [1.3647e-6, 1e-3, 0.036918]}];
+  const changed = join(out, 'ticks.html');
+  writeFileSync(changed, html.replace(whole, () => whole.replace(text, () => JSON.stringify(plot))));
+  const page = await open(pathToFileURL(changed).href);
+  assert.ok((await page.locator('.hover canvas').first().boundingBox()).width > 300);
+  await nothing_wrong(page);
+});
+
 test('plots answer to the pointer', async () => {
   const page = await open(page_of('ada'));
   assert.equal(await page.locator('figure.plot').count(), 3);  // update against the step, energy, momenta

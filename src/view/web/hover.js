@@ -15,6 +15,15 @@ function aligned(series) {
   return [xs, ...series.map(s => { const at = new Map(s.x.map((x, i) => [x, s.y[i]])); return xs.map(x => at.has(x) ? at.get(x) : undefined); })];
 }
 
+// The powers of ten on a logarithmic axis, and twice and five times them where fewer than two are seen. uPlot's own search for them
+// does not end for some ranges: it goes on from the last tick by its value, which rounding may have left off the powers.
+function decades(low, high) {
+  const exponents = [];
+  for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); ++k) exponents.push(k);
+  const ticks = multiples => exponents.flatMap(k => multiples.map(m => Number(`${m}e${k}`))).filter(t => low <= t && t <= high);
+  return ticks([1]).length < 2 ? ticks([1, 2, 5]) : ticks([1]);
+}
+
 function draw(figure) {
   const plot = JSON.parse(figure.querySelector('script').textContent), still = figure.querySelector('svg');
   const host = document.createElement('div');
@@ -27,9 +36,7 @@ function draw(figure) {
     return ticks.map(t => t == null ? '' : !by_exponent || t === 0 ? String(+t.toPrecision(6)) : (+t.toPrecision(6)).toExponential().replace('e+', 'e'));
   };
   const axis = {stroke: css('--ink'), grid: {stroke: css('--line'), width: 1}, ticks: {stroke: css('--line')}, font: '12px sans-serif', labelFont: '13px sans-serif'};
-  const decades = (u, ticks) => ticks.map(t => Math.abs(Math.log10(t) - Math.round(Math.log10(t))) < 1e-6 ? t : null);
-  const axis_of = (label, log) => ({...axis, label, values: (u, ticks) => ticks_text(ticks),
-    ...log && {filter: decades, grid: {...axis.grid, filter: decades}, ticks: {...axis.ticks, filter: decades}}});
+  const axis_of = (label, log) => ({...axis, label, values: (u, ticks) => ticks_text(ticks), ...log && {splits: (u, i, low, high) => decades(low, high)}});
   const scale = log => log ? {distr: 3, range: (u, low, high) => [low / 1.4, high * 1.4]} : {};
   const size = () => ({width: Math.min(720, figure.clientWidth), height: 400});
   const chart = new uPlot({
