@@ -323,8 +323,8 @@ int Child::end() {
   if (ended()) return status_;
   const pid_t inside = first_inside();
   // Killing the namespace's first process kills everything in it before bubblewrap sees it end.
-  if (inside <= 0 || kill(inside, SIGKILL) != 0) kill(pid_, SIGKILL);
-  if (!layers().namespaces) kill(-pid_, SIGKILL);
+  // Before there is one, bubblewrap may have a half of itself that waits to be told to go on: of its group.
+  if (inside <= 0 || kill(inside, SIGKILL) != 0 || !layers().namespaces) kill(pid_, SIGKILL), kill(-pid_, SIGKILL);
   while (!ended(2)) kill(pid_, SIGKILL);
   return status_;
 }
