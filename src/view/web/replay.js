@@ -129,12 +129,15 @@ function arrows_of(run, crowd, k) {
   if ($('velocities').checked)
     for (let i = 0; i < count; ++i) crowd.velocities.add(at.fromArray(p, 3 * i), v.fromArray(run.v, 3 * (count * k + i)), 0.25 * v.length());
 }
-const digits = x => Math.abs(x) >= 1e4 ? x.toExponential(3) : x.toFixed(4).replace(/^-(0\.0+)$/, '$1');
+const digits = (x, decimals = 4) => Math.abs(x) >= 1e4 ? x.toExponential(3) : x.toFixed(decimals).replace(/^-(0(\.0+)?)$/, '$1');
+// no more decimals than a step of the recording (1/32767 of the largest) fills
+const kept = ({largest}) => largest > 0 ? Math.max(0, Math.min(4, Math.floor(-Math.log10(largest / 32767)))) : 4;
+const decimals = data.runs.map(run => [4, kept(run.v), kept(run.w)]);
 const cells = [...$('state').tBodies[0].rows].map(row => [...row.querySelectorAll('td')]);
 function numbers() {
   if (!count) return;
-  const run = runs[+which.value || 0], k = frame_at(run.t, time), i = count * k + chosen;
-  [run.p, run.v, run.w].forEach((values, row) => cells[row].forEach((cell, c) => { cell.textContent = digits(values[3 * i + c]); }));
+  const r = +which.value || 0, run = runs[r], k = frame_at(run.t, time), i = count * k + chosen;
+  [run.p, run.v, run.w].forEach((values, row) => cells[row].forEach((cell, c) => { cell.textContent = digits(values[3 * i + c], decimals[r][row]); }));
   cells[3].forEach((cell, c) => { cell.textContent = digits(run.q[4 * i + 1 + c]); });
   $('qw').textContent = 'w ' + digits(run.q[4 * i]);
 }

@@ -67,7 +67,7 @@ export class Crowd {
     const few = Math.min(bodies.length, 200);
     this.axes = ['#d0342c', '#2e9e44', '#2f62d9'].map(color => new Arrows(this.group, color, few, scale));
     this.velocities = new Arrows(this.group, ghost ? ghost_color(index) : '#1f9fb0', 2000, scale);
-    this.impulses = new Arrows(this.group, ghost ? ghost_color(index) : '#e3472b', 2000, 1.3 * scale);
+    this.impulses = new Arrows(this.group, ghost ? ghost_color(index) : '#e3472b', 2000, 1.3 * scale, true);  // over the cuboid into which it points
     this.trail = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: ghost ? ghost_color(index) : css('--soft')}));
     this.trail.frustumCulled = false;
     this.group.add(this.trail);
