@@ -28,7 +28,7 @@ struct Ledger {
     long planes = 0, planes_of = 0;   ///< cuboids against planes settled by the sphere around the cuboid; of all
     long loads = 0, loads_of = 0;     ///< sums of forces on a cuboid kept from the step before; of all
     long rest = 0, rest_of = 0;       ///< steps of a cuboid at rest without load, which change no bit; of all
-    long monitors = 0, monitors_of = 0;  ///< steps after which no accounts were made up; of all
+    long monitors = 0, monitors_of = 0;  ///< steps of which no accounts were kept; of all
   } skips;
   long impacts = 0, plane_impacts = 0, pair_impacts = 0;
   long energy_rises = 0;            ///< impacts after which there was more kinetic energy than before

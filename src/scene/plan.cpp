@@ -14,7 +14,7 @@ constexpr Entry entries[] = {
     {"planes", "cuboids at planes", "out of reach", "same bits", &Skips::planes, &Ledger::Skips::planes, &Ledger::Skips::planes_of},
     {"loads", "sums of forces", "as in the step before", "same bits", &Skips::loads, &Ledger::Skips::loads, &Ledger::Skips::loads_of},
     {"rest", "steps of a cuboid", "at rest without load", "same bits", &Skips::rest, &Ledger::Skips::rest, &Ledger::Skips::rest_of},
-    {"monitors", "accounts after a step", "nobody reads them", "same states; no worst drift", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
+    {"monitors", "accounts of a step", "nobody reads them", "same states; no account of steps", &Skips::monitors, &Ledger::Skips::monitors, &Ledger::Skips::monitors_of},
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ struct Skips {
   bool pairs = true;      ///< pairs too far apart to touch in the step
   bool planes = true;     ///< planes no corner can reach
   bool loads = true;      ///< moments of the forces where there is no force but gravity
-  bool monitors = false;  ///< accounts of every step, where nobody asked for them; those of the end are kept
+  bool monitors = false;  ///< accounts of every step, where nobody asked for them: sums over steps are NaN then, the end's and the impacts' are kept
   bool rest = true;       ///< steps of cuboids at rest without load
 };
 

@@ -247,24 +247,29 @@ void World::advance(std::size_t i, double h) {
     ++ledger_.skips.rest;
     return;
   }
-  const State<double> before = motions_[i].state;
-  const double kinetic_before = kinetic(i);
-  const V about_origin_before = angular(i);
   const Load& load = loads_[i];
-  motions_[i] = method_->step(shape(i), motions_[i], load, h);
+  const Motion moving = motions_[i];
+  const State<double>& before = moving.state;
+  motions_[i] = method_->step(shape(i), moving, load, h);
   const State<double>& after = motions_[i].state;
+  if (!skips_.monitors) account(i, moving, h);
+  // A step is a map of motion and load, and of h times rates: where those are zeros and it changed no bit, it never will; nor will its accounts.
+  const auto zero = [](const V& x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
+  still_[i] = zero(after.v_WB) && zero(after.w_WB) && zero(load.f_W) && zero(load.tau_W) && zero(before.v_WB) && zero(before.w_WB) && after.p_WB == before.p_WB && after.R_WB == before.R_WB;
+}
+// What the step from `moving` to where body i is now gave and took.
+void World::account(std::size_t i, const Motion& moving, double h) {
+  const State<double>&before = moving.state, &after = motions_[i].state;
+  const Load& load = loads_[i];
   const V weight = shape(i).mass() * gravity_, moved = after.p_WB - before.p_WB;
   const V moment = h * (cross<double>(before.p_WB, load.f_W) + load.tau_W);
   const double turned = h * dot<double>(load.tau_W, V((before.w_WB + after.w_WB) / 2));
   ledger_.energy.work += dot<double>(V(load.f_W - weight), moved) + turned;
-  ledger_.energy.stepper += kinetic(i) - kinetic_before - dot<double>(load.f_W, moved) - turned;
+  ledger_.energy.stepper += kinetic(i, motions_[i]) - kinetic(i, moving) - dot<double>(load.f_W, moved) - turned;
   ledger_.linear.external += h * load.f_W;
   ledger_.angular.external += moment;
-  ledger_.angular.stepper += angular(i) - about_origin_before - moment;
+  ledger_.angular.stepper += angular(i, motions_[i]) - angular(i, moving) - moment;
   ledger_.worst_orthonormality = std::fmax(ledger_.worst_orthonormality, orthonormality_defect<double>(after.R_WB));
-  // A step is a map of motion and load, and of h times rates: where those are zeros and it changed no bit, it never will; nor will its accounts.
-  const auto zero = [](const V& x) { return x[0] == 0 && x[1] == 0 && x[2] == 0; };
-  still_[i] = zero(after.v_WB) && zero(after.w_WB) && zero(load.f_W) && zero(load.tau_W) && zero(before.v_WB) && zero(before.w_WB) && after.p_WB == before.p_WB && after.R_WB == before.R_WB;
 }
 
 double World::potential() const {
@@ -274,16 +279,14 @@ double World::potential() const {
 }
 double World::energy() const {
   double sum = potential();
-  for (std::size_t i = 0; i < motions_.size(); ++i) sum += kinetic(i);
+  for (std::size_t i = 0; i < motions_.size(); ++i) sum += kinetic(i, motions_[i]);
   return sum;
 }
-double World::kinetic(std::size_t i) const {
-  const State<double>& s = motions_[i].state;
-  return (shape(i).mass() * dot<double>(s.v_WB, s.v_WB) + dot<double>(s.w_WB, motions_[i].L_W)) / 2;
+double World::kinetic(std::size_t i, const Motion& m) const {
+  return (shape(i).mass() * dot<double>(m.state.v_WB, m.state.v_WB) + dot<double>(m.state.w_WB, m.L_W)) / 2;
 }
-V World::angular(std::size_t i) const {
-  const State<double>& s = motions_[i].state;
-  return cross<double>(s.p_WB, V(shape(i).mass() * s.v_WB)) + motions_[i].L_W;
+V World::angular(std::size_t i, const Motion& m) const {
+  return cross<double>(m.state.p_WB, V(shape(i).mass() * m.state.v_WB)) + m.L_W;
 }
 V World::linear() const {
   V sum = zero3<double>();
@@ -292,19 +295,30 @@ V World::linear() const {
 }
 V World::angular() const {
   V sum = zero3<double>();
-  for (std::size_t i = 0; i < motions_.size(); ++i) sum += angular(i);
+  for (std::size_t i = 0; i < motions_.size(); ++i) sum += angular(i, motions_[i]);
   return sum;
 }
 void World::audit() {
   Ledger::Energy& e = ledger_.energy;
   e.end = energy();
-  e.worst_drift = std::fmax(e.worst_drift, std::fabs(e.end - e.start - e.work - e.correction - e.switched - e.stepper + e.restitution_loss + e.friction_loss));
-  e.worst_stepper = std::fmax(e.worst_stepper, std::fabs(e.stepper));
   ledger_.linear.end = linear();
   ledger_.angular.end = angular();
+  if (ledger_.skips.monitors > 0) return forget_steps();
+  e.worst_drift = std::fmax(e.worst_drift, std::fabs(e.end - e.start - e.work - e.correction - e.switched - e.stepper + e.restitution_loss + e.friction_loss));
+  e.worst_stepper = std::fmax(e.worst_stepper, std::fabs(e.stepper));
   for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) {
     m->worst_drift = std::fmax(m->worst_drift, norm<double>(V(m->end - m->start - m->external - m->stepper)));
     m->worst_stepper = std::fmax(m->worst_stepper, norm<double>(m->stepper));
+  }
+}
+// Sums over steps, some of which were left out, are not known: no number rather than one with holes.
+void World::forget_steps() {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  Ledger::Energy& e = ledger_.energy;
+  e.work = e.stepper = e.worst_stepper = e.worst_drift = ledger_.worst_orthonormality = unknown;
+  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) {
+    m->external = m->stepper = V::Constant(unknown);
+    m->worst_stepper = m->worst_drift = unknown;
   }
 }
 

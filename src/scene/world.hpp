@@ -39,7 +39,7 @@ class World {
 
   /// What is left out from now on (plan.hpp); the states have the same bits with and without.
   void set_skips(const Skips& skips) { skips_ = skips; }
-  /// The accounts up to now, where `monitors` left them out.
+  /// The accounts up to now, where `monitors` left them out: sums over steps are NaN.
   void make_up_accounts() { audit(); }
 
   /// A key press, now.
@@ -70,13 +70,15 @@ class World {
   double strayed() const;
   void against_each_other(std::size_t i, std::size_t j);
   void advance(std::size_t i, double h);
-  double kinetic(std::size_t i) const;
+  void account(std::size_t i, const Motion& moving, double h);
+  double kinetic(std::size_t i, const Motion& m) const;
   double potential() const;
   double energy() const;
   Vec3<double> linear() const;
-  Vec3<double> angular(std::size_t i) const;  ///< about the world's origin
+  Vec3<double> angular(std::size_t i, const Motion& m) const;  ///< about the world's origin
   Vec3<double> angular() const;
   void audit();
+  void forget_steps();
 
   Scene scene_;
   ImpactObserver on_impact_;

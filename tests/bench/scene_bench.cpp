@@ -1,5 +1,5 @@
 // N cuboids spread out over a floor, no pairs meet: a step of the assignment's program as the sheet's stepper does it, and a
-// second in located mode, of which each has a few impacts.
+// second in located mode, of which each has a few impacts. The sheet's with its accounts of energy and momentum, and without (skip `monitors`).
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -25,12 +25,14 @@ Scene spread(int n) {
   return s;
 }
 
-void sheet_step(benchmark::State& state) {
+void sheet_step(benchmark::State& state, bool accounts) {
   const int n = int(state.range(0)), steps = 240;  // one second: they fall, and land
   Scene s = spread(n);
   s.until = steps * s.dt;
   s.every = s.until;
-  for (auto _ : state) benchmark::DoNotOptimize(simulate(s, [](double, const std::vector<State<double>>&) {}).ledger.impacts);
+  Skips skips;
+  skips.monitors = !accounts;
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(s, [](double, const std::vector<State<double>>&) {}, {}, skips).ledger.impacts);
   state.counters["ns_per_step"] = benchmark::Counter(double(steps) * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["ns_per_body_step"] = benchmark::Counter(double(steps) * n * double(state.iterations()) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -41,6 +43,7 @@ void located_second(benchmark::State& state) {
   state.counters["us_per_body"] = benchmark::Counter(double(state.range(0)) * double(state.iterations()) * 1e-6, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(located_second)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
-BENCHMARK(sheet_step)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sheet_step, with_accounts, true)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sheet_step, without, false)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

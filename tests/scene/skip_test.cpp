@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scene/simulate.hpp>
 
@@ -99,6 +100,26 @@ TEST(Skip, ChangesNoBitWhereSomeAreAtRest) {
   switched.method = "sheet", switched.gravity = Vec3<double>(0, -9.8, 0);
   switched.actions = {{0, SceneAction::Do::gravity_off}, {1, SceneAction::Do::gravity_on}, {1.2, SceneAction::Do::gravity_off}};
   expect_same_bits(switched);
+}
+
+// Accounts nobody reads are not kept: what only a look at every step can tell is not known, and is not told as a number.
+TEST(Skip, KeepsNoAccountOfAStepThatNobodyReads) {
+  Scene s = builtin_scene("assignment", 2);
+  s.until = 1;
+  Skips quiet;
+  quiet.monitors = true;
+  RunSummary kept, skipped;
+  end_of(s, {}, kept), end_of(s, quiet, skipped);
+  const Ledger &a = kept.ledger, &b = skipped.ledger;
+  EXPECT_LT(a.energy.stepper, 0) << "m g^2 h^2/2 for each step in free fall";
+  EXPECT_GT(norm<double>(a.angular.stepper), 0);
+  for (const double sum : {b.energy.work, b.energy.stepper, b.energy.worst_stepper, b.energy.worst_drift, b.worst_orthonormality, b.linear.worst_drift, b.angular.worst_stepper,
+                           b.linear.external[1], b.angular.external[0], b.angular.stepper[2]})
+    EXPECT_TRUE(std::isnan(sum));
+  EXPECT_EQ(a.energy.end, b.energy.end);
+  EXPECT_EQ(a.angular.end, b.angular.end);
+  EXPECT_EQ(a.energy.restitution_loss, b.energy.restitution_loss);
+  EXPECT_EQ(a.energy.friction_loss, b.energy.friction_loss);
 }
 
 TEST(Skip, NamesWhatItDoesNotKnow) {
