@@ -59,7 +59,7 @@ PlaneContact next_plane_contact(const Cuboid<double>& shape, const Flight& fligh
       }
     }
     // far away: nothing can touch before the sphere around the cuboid does, and that moves on a parabola
-    const double clear = plane.gap(s.p_WB) - radius;
+    const double clear = plane.gap(s.p_WB) - radius - corners.rounding;
     if (clear > 0) safe = std::fmax(safe, first_root(clear, dot<double>(plane.normal(), s.v_WB), n_a));
     if (!(safe <= limit - tau)) return {PlaneContact::Kind::none, limit, found.advances};
     const double next = tau + safe;

@@ -48,5 +48,16 @@ TEST(Flight, BoundsItsSpinAndTheAccelerationOfItsCorners) {
   EXPECT_GT(idle_acceleration, 0.5) << "not idle";
 }
 
+// Half a diagonal 7/2 that turns by 1/8 (about the axis of the least moment, where the bound on the spin is the spin),
+// |p| = 1 + 2 + 4, |v| τ = 56/4 and |a| τ²/2 = 3.5/32, each a sum over the axes.
+TEST(Flight, RoundingIsSixteenUnitsOfTheTermsOfACornersPlace) {
+  const auto body = *Cuboid<double>::make(2, {2, 3, 6});
+  State<double> s;
+  s.p_WB = V(1, -2, 4), s.v_WB = V(8, -16, 32), s.w_WB = V(0, 0, 0.5);
+  const Flight flight(body, s, V(0.5, -1, 2));
+  const double terms = 3.5 * (1 + 0.125) + 7 + 14 + 0.109375;
+  EXPECT_NEAR(flight.rounding(0.25) / (16 * 0x1p-53 * terms), 1, 1e-11);  // the spin's bound is 1e-12 above it
+}
+
 }  // namespace
 }  // namespace rigor

@@ -5,6 +5,7 @@
 #include <random>
 #include <rigor/engine/located.hpp>
 #include <rigor/engine/plane_search.hpp>
+#include <rigor/formulas/gram_schmidt.hpp>
 #include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
@@ -230,6 +231,31 @@ TEST(Located, AGrazeIsAnImpactOnlyWhenItGoesDeeperThanRounding) {
     for (int k = 0; k < 8; ++k) lowest = std::fmin(lowest, states[0].p_WB[1] + (states[0].R_WB * shape.corner(k))[1]);
   }).value();
   EXPECT_NEAR(grazing, -lowest, 1e-8);  // the scan misses the minimum by at most a (1e-5/2)^2/2, a about 60 m/s^2
+}
+
+// How deep a cuboid may begin, a billionth of its size, goes with its size.
+TEST(Located, BeginsInsideAPlaneFromABillionthOfItsSizeOn) {
+  for (const double size : {1e-3, 1.0, 1e3})
+    for (const double depth : {0.1, 10.0}) {  // billionths of the size: a diagonal of 3.74
+      Scene s = one(size * V(1, 2, 3), above(size * (1 - depth * 3.74e-9)), 0.5, 0, 1e-3);
+      s.bodies[0].start.p_WB[0] = s.bodies[0].start.p_WB[2] = 0;
+      const std::vector<HandOver> handed = run(s).summary.handed_over;
+      EXPECT_EQ(!handed.empty() && handed[0].why == "begins inside a plane", depth > 1) << size << ", " << depth;
+    }
+}
+
+// Without spin the attitude stays to the bit, through impacts too: rounding has made it a rotation but for the last bits.
+TEST(Located, ACuboidThatDoesNotTurnKeepsItsAttitudeToTheBit) {
+  int rounded = 0;
+  for (int k = 1; k <= 20; ++k) {
+    State<double> start = above(2);
+    start.R_WB = rotation_of<double>(Vec4<double>(1, 0, 0.1 * k, 0));
+    rounded += !start.R_WB.isApprox(gram_schmidt<double>(start.R_WB), 0);
+    const Ended ended = run(one({0.5, 0.25, 1}, start, 0.5, 0, 1));
+    EXPECT_GE(ended.summary.ledger.impacts, 1);
+    EXPECT_EQ(ended.states.back().R_WB, start.R_WB) << k;
+  }
+  EXPECT_GT(rounded, 5) << "of the attitudes are such that Gram-Schmidt would change them";
 }
 
 // cases BB-15, S-10: a plate of a tenth of a millimetre at 300 m/s meets a plane and another plate, at any speed; and a
