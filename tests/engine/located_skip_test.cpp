@@ -110,7 +110,7 @@ TEST(LocatedSkip, ABoxHoldsItsFlight) {
     const auto shape = *Cuboid<double>::make(1, draw.sizes(0.1, 1));
     State<double> start;
     start.p_WB = draw.vector(k % 3 == 0 ? 1e6 : 3), start.v_WB = draw.vector(10), start.w_WB = draw.vector(5);
-    const Flight flight(shape, start, k % 5 == 0 ? zero3<double>() : draw.vector(10));
+    const Flight flight(shape, start, k % 5 == 0 ? zero3<double>() : k % 5 == 1 ? V(1, -1, -9.81) : draw.vector(10));
     const double from = draw.in(0, 2), to = from + draw.in(0, 3), radius = norm<double>(shape.size()) / 2;
     const AxisBox box = swept_box(flight, radius, from, to, 0);
     double room = 1e9;  // to spare on the tightest side
