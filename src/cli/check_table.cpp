@@ -1,18 +1,15 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <future>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <rigor/base/file.hpp>
-#include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/check_table.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/texts.hpp>
+#include <rigor/cli/unless_interrupted.hpp>
 #include <rigor/cli/wrote.hpp>
 #include <rigor/studies/cell.hpp>
 #include <rigor/studies/table.hpp>
@@ -35,25 +32,21 @@ std::string frozen_table(const std::string& name) {
   return "";
 }
 
-// Each CSV and its JSON twin. The series run beside, so that an interrupt need not wait for the flight under way; nothing is
-// written before all are there.
+// Each CSV and its JSON twin. Nothing is written before all are there.
 int write_tables(const std::filesystem::path& dir) {
   const auto probe = dir / ("probe-" + std::to_string(::getpid()));  // minutes before the first table: can it be written?
   if (const auto written = write_file(probe, ""); !written) return bad_input("--write: " + dir.string() + " " + written.fault().what);
   std::error_code ignored;
   std::filesystem::remove(probe, ignored);
-  auto made = std::async(std::launch::async, [] {
-    std::vector<std::pair<std::string, std::string>> tables;
-    for (const auto& table : studies::frozen_tables()) tables.emplace_back(table.name, table.make());
-    return tables;
-  });
-  while (made.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
-    if (interrupted() != 0) {
-      std::fputs("rigor check-table: interrupted, nothing is written\n", stderr);
-      std::_Exit(128 + interrupted());
-    }
+  const auto tables = unless_interrupted(
+      [] {
+        std::vector<std::pair<std::string, std::string>> made;
+        for (const auto& table : studies::frozen_tables()) made.emplace_back(table.name, table.make());
+        return made;
+      },
+      "rigor check-table: interrupted, nothing is written", "making the tables in 60 digits");
   std::vector<std::string> names;
-  for (const auto& [name, csv] : made.get())
+  for (const auto& [name, csv] : tables)
     for (const auto& [file, text] : {std::pair{name + ".csv", csv}, std::pair{name + ".json", studies::table_json(name, csv)}}) {
       if (const auto written = write_file(dir / file, text); !written) return bad_input(written.fault().text());
       names.push_back(file);

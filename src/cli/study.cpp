@@ -9,6 +9,7 @@
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/study.hpp>
+#include <rigor/cli/unless_interrupted.hpp>
 #include <rigor/cli/wrote.hpp>
 #include <rigor/scene/method_names.hpp>
 #include <rigor/studies/contact.hpp>
@@ -98,7 +99,7 @@ int study_command(const Options& options) {
     student = *made;
     request.submission = student->name();
   }
-  const auto cells = studies::plan(request);
+  const auto cells = unless_interrupted([&] { return studies::plan(request); }, "rigor study: interrupted before anything was measured", "making the references of the problems in 60 digits", !options.quiet);
   if (!cells) return bad_input(cells.fault().text());
   if (!options.out.empty()) {  // before anything is measured: can it be written, and over nothing but a study?
     if (const auto theirs = not_of_a_study(options.out); !theirs.empty())

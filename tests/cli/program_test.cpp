@@ -402,6 +402,19 @@ TEST_F(Program, EndsWithTheReasonAfterAnInterrupt) {
   EXPECT_TRUE(last.starts_with("rigor run: interrupted at t = ") && last.ends_with("; what is shown and written ends there\n")) << ran.text;
 }
 
+// A reference in 60 digits over 10000 s takes minutes: a terminal says what is waited for, and an interrupt ends it at once.
+TEST_F(Program, StudiesEndWhileTheirReferenceIsMade) {
+  const std::string asks = "study convergence --problem case-A --until 1e4 --out " + (dir / "out").string(), said = "rigor study: interrupted before anything was measured\n";
+  for (const auto& [signal, status] : {std::pair{"INT", 130}, {"TERM", 143}}) {
+    const Ran ran = rigor_says(asks, std::string("timeout --foreground --preserve-status -k 20 -s ") + signal + " 1 ");
+    EXPECT_EQ(ran.status, status);
+    EXPECT_EQ(ran.text, said);
+  }
+  const Ran shown = rigor_says(asks + "' /dev/null", "script -qec 'timeout --foreground --preserve-status -k 20 -s INT 4 ");
+  EXPECT_TRUE(contains(shown.text, "making the references of the problems in 60 digits, 2 s")) << shown.text;
+  EXPECT_FALSE(fs::exists(dir / "out"));
+}
+
 TEST_F(Program, NamesTheFileAMethodCannotRun) {
   const std::string scene = file("pushed.json", R"({"cuboids": [{"size": [1, 1, 1], "mass": 1, "position": [0, 0, 0]}], "forces": [{"body": 0, "force": [1, 0, 0]}], "until": 1})");
   for (const char* option : {"--method", "--beside"}) {
