@@ -123,7 +123,7 @@ Outcome<std::string> study(const fs::path& out) {
   for (const studies::Cell& cell : *cells)
     if (interrupted() == 0) rows.push_back(studies::fly(cell));
   if (interrupted() != 0) return std::string();
-  if (const auto written = write_file(out / "study" / "study.html", studies::page_html(studies::study_page("convergence", rows, "rigor demo"))); !written) return written.fault();
+  if (const auto written = write_file(out / "study" / "study.html", studies::page_html(studies::study_page("convergence", rows, "rigor demo", rows.size()))); !written) return written.fault();
   if (const auto written = write_file(out / "study" / "study.csv", studies::rows_csv(rows)); !written) return written.fault();
   report::Plot plot{"Attitude error against step, free flight", "step h, s", "attitude error at T = 1 s, rad", true, true, {}};
   std::printf("   %-8s %-18s %-13s %-16s %s\n", "problem", "method", "fitted order", "error, coarsest", "error, finest, rad");

@@ -38,17 +38,18 @@ int bad_input(const std::string& text) {
   return 2;
 }
 
-std::string study_json(const std::vector<studies::Row>& rows, const std::string& command) {
-  nlohmann::ordered_json json{{"schema", "rigor.study/2"}, {"command", command}, {"machine", studies::machine()}, {"rows", nlohmann::ordered_json::array()}};
+std::string study_json(const std::vector<studies::Row>& rows, const std::string& command, std::size_t cells) {
+  nlohmann::ordered_json json{{"schema", "rigor.study/2"}, {"command", command}, {"machine", studies::machine()}, {"cells", cells}, {"finished", rows.size()},
+                              {"interrupted", rows.size() < cells}, {"rows", nlohmann::ordered_json::array()}};
   for (const studies::Row& row : rows) json["rows"].push_back(nlohmann::ordered_json::parse(studies::row_json(row)));
   return json.dump(1) + "\n";
 }
 
 // The names written, the page first.
-Outcome<std::vector<std::string>> write_all(const fs::path& dir, const std::vector<studies::Row>& rows, const studies::StudyPage& page) {
+Outcome<std::vector<std::string>> write_all(const fs::path& dir, const std::vector<studies::Row>& rows, const studies::StudyPage& page, std::size_t cells) {
   std::vector<std::pair<std::string, std::string>> files{{"study.html", studies::page_html(page)},
                                                          {"study.csv", studies::rows_csv(rows)},
-                                                         {"study.json", study_json(rows, page.command)},
+                                                         {"study.json", study_json(rows, page.command, cells)},
                                                          {"README.md", studies::page_markdown(page)}};
   int k = 0;
   for (const std::string& figure : studies::page_figures(page)) files.emplace_back("figure-" + std::to_string(++k) + ".svg", figure);
@@ -123,15 +124,15 @@ int study_command(const Options& options) {
   const auto rows = studies::run_cells(*cells, measure, of_student, run);
   if (!rows) return bad_input(rows.fault().text());
   if (interrupted() != 0) std::fprintf(stderr, "rigor study: interrupted with %zu of %zu cells finished%s\n", rows->size(), cells->size(), options.out.empty() ? "" : "; go on with --resume");
-  const studies::StudyPage page = studies::study_page(request.kind, *rows, options.command);
+  const studies::StudyPage page = studies::study_page(request.kind, *rows, options.command, cells->size());
   std::vector<std::string> files;
   if (!options.out.empty()) {
-    const auto written = write_all(options.out, *rows, page);
+    const auto written = write_all(options.out, *rows, page, cells->size());
     if (!written) return bad_input("--out: " + written.fault().text());
     files = *written;
     if (!rows->empty()) files.push_back("cells");
   }
-  if (options.json) std::fputs(study_json(*rows, page.command).c_str(), stdout);
+  if (options.json) std::fputs(study_json(*rows, page.command, cells->size()).c_str(), stdout);
   else if (!options.quiet) {
     std::fputs(studies::page_text(page).c_str(), stdout);
     if (!files.empty()) say_wrote(options.out, files);

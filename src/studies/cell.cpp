@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -8,16 +7,7 @@
 
 namespace rigor::studies {
 namespace {
-
 using Json = nlohmann::ordered_json;
-
-std::string quoted(const std::string& text) {  // for CSV
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 }  // namespace
 
 std::string digits(double x) {
@@ -72,24 +62,6 @@ std::optional<Row> row_from_json(const std::string& text, const Cell& cell) {
     row.put(name, value.is_null() ? NAN : value.get<double>());
   }
   return row;
-}
-
-std::string rows_csv(const std::vector<Row>& rows) {
-  std::vector<std::string> columns;
-  for (const Row& row : rows)
-    for (const auto& [name, value] : row.values)
-      if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
-  std::string out = "study,problem,method,steps,tolerance,until,x,y,compensated";
-  for (const std::string& c : columns) out += "," + c;
-  out += ",failed\n";
-  for (const Row& row : rows) {
-    const Cell& c = row.cell;
-    out += c.study + "," + quoted(c.problem) + "," + quoted(c.method) + "," + std::to_string(c.steps) + "," + digits(c.tolerance) + "," + digits(c.until) + "," + digits(c.x) + "," +
-           digits(c.y) + "," + (c.compensated ? "yes" : "no");
-    for (const std::string& column : columns) out += "," + digits(row.at(column));
-    out += "," + quoted(row.failed) + "\n";
-  }
-  return out;
 }
 
 }  // namespace rigor::studies

@@ -43,7 +43,8 @@ std::string row_json(const Row& row);
 /// Nothing when the text is not a row, or the row of another cell.
 std::optional<Row> row_from_json(const std::string& text, const Cell& cell);
 
-/// One line a row; columns: the cell, then every value any row has.
+/// One line a row; columns: the cell, then every value any row has. Empty: what a cell has not (a tolerance, an x), or what was not
+/// measured; an empty until is the problem's own end.
 std::string rows_csv(const std::vector<Row>& rows);
 
 /// The shortest decimal that reads back as x.

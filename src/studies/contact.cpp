@@ -166,13 +166,21 @@ Row contact(const Cell& cell, Student* student) {
   promise(recipe != nullptr, "a contact cell names a problem of contact_problems()");
   Reading reading = recipe->make(cell.x);
   Scene& scene = reading.scene;
+  const auto put = [&](double error, const RunSummary* ran) {  // of who only tells where it went there is no ledger
+    const double none = std::nan("");
+    row.put("error", error);
+    row.put("own_J", ran != nullptr ? ran->ledger.energy.worst_stepper : none);
+    row.put("restitution_J", ran != nullptr ? ran->ledger.energy.restitution_loss : none);
+    row.put("friction_J", ran != nullptr ? ran->ledger.energy.friction_loss : none);
+    row.put("impacts", ran != nullptr ? double(ran->ledger.impacts) : none);
+    return row;
+  };
   if (student != nullptr) {
     const double h = 1.0 / double(cell.steps);
     // the last step of the student's is not shortened: it goes on to the step nearest the end
     const auto done = student->bounce(scene.bodies[0].shape, scene.bodies[0].start, scene.planes[0], scene.surface, scene.gravity, h, std::lround(scene.until / h), reading.see);
     if (!done) row.failed = done.fault().text();
-    row.put("error", done ? reading.error() : std::nan(""));
-    return row;
+    return put(done ? reading.error() : std::nan(""), nullptr);
   }
   bool enough = false;
   const Observer see = [&](double t, const std::vector<State<double>>& states) { enough = enough || !reading.see(t, states[0]); };
@@ -185,8 +193,7 @@ Row contact(const Cell& cell, Student* student) {
     }, reading.impact);
     if (!done) {
       row.failed = done.fault().text();
-      row.put("error", std::nan(""));
-      return row;
+      return put(std::nan(""), nullptr);
     }
     summary = *done;
   } else {
@@ -195,12 +202,7 @@ Row contact(const Cell& cell, Student* student) {
     summary = simulate(scene, see);
   }
   if (!summary.finite) row.failed = "left the numbers";
-  row.put("error", summary.finite ? reading.error() : std::nan(""));
-  row.put("own_J", summary.ledger.energy.worst_stepper);
-  row.put("restitution_J", summary.ledger.energy.restitution_loss);
-  row.put("friction_J", summary.ledger.energy.friction_loss);
-  row.put("impacts", double(summary.ledger.impacts));
-  return row;
+  return put(summary.finite ? reading.error() : std::nan(""), &summary);
 }
 
 }  // namespace rigor::studies

@@ -14,8 +14,8 @@ struct ContactProblem {
 };
 const std::vector<ContactProblem>& contact_problems();
 
-/// A contact cell: `steps` in a second of the method's stepper, or method "located", or the student's. Values: error, and of
-/// ours the energy ledger (what the steps made by themselves at worst, restitution, friction) and the number of impacts.
+/// A contact cell: `steps` in a second of the method's stepper, or method "located", or the student's. Values: error,
+/// the energy ledger (own_J: what the steps made by themselves at worst, restitution_J, friction_J) and the number of impacts, which are NaN of a student's.
 Row contact(const Cell& cell, Student* student = nullptr);
 
 }  // namespace rigor::studies

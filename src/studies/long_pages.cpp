@@ -96,14 +96,14 @@ StudyPage contact_page(const std::vector<Row>& rows) {
       for (const Row* row : method.rows)
         if (std::find(steps.begin(), steps.end(), row->cell.steps) == steps.end()) steps.push_back(row->cell.steps);
       for (const long n : steps) {
-        double worst = 0, at = 0, ledger = 0, impacts = 0;
+        double worst = 0, at = 0, ledger = std::nan(""), impacts = std::nan("");
         for (const Row* row : method.rows) {
           if (row->cell.steps != n) continue;
           if (!std::isnan(worst) && !(row->at("error") <= worst)) worst = row->at("error"), at = row->cell.x;  // one that failed is the worst
-          ledger = std::fmax(ledger, row->at("own_J"));
+          ledger = std::fmax(ledger, row->at("own_J"));  // of two the number, where one is none
           impacts = std::fmax(impacts, row->at("impacts"));
         }
-        t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), method.name.rfind("submission", 0) == 0 ? "" : brief(ledger),
+        t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), brief(ledger),
                           brief(impacts, "%.0f")});
         if (n > 0) series.x.push_back(1 / double(n)), series.y.push_back(worst);
       }

@@ -6,7 +6,7 @@
 
 namespace rigor::studies {
 
-StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, const std::string& command) {
+StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, const std::string& command, std::size_t cells) {
   struct Kind {
     const char* name;
     StudyPage (*make)(const std::vector<Row>&);
@@ -16,6 +16,7 @@ StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, cons
     if (kind == k.name) {
       StudyPage page = k.make(rows);
       page.command = command;
+      if (rows.size() < cells) page.unfinished = std::to_string(rows.size()) + " of " + std::to_string(cells) + " cells; interrupted";
       Section gone{"Failures", {}, {}, {}, {}};
       Table failures{"runs that failed: they are rows without numbers above", {"problem", "method", "steps", "tolerance", "why"}, {}, 5};
       for (const Row& row : rows) {

@@ -4,8 +4,8 @@
 
 namespace rigor::studies {
 
-/// The page of a study, by its kind, from its rows. The problems were opened before.
-StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, const std::string& command);
+/// The page of a study, by its kind, from its rows, and the number of cells it was to have. The problems were opened before.
+StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, const std::string& command, std::size_t cells);
 
 StudyPage convergence_page(const std::vector<Row>& rows);
 StudyPage work_page(const std::vector<Row>& rows);

@@ -101,6 +101,7 @@ std::string page_html(const StudyPage& page) {
   report::Page out;
   out.title = page.title;
   out.lead = page.lead;
+  if (!page.unfinished.empty()) out.body += "<p class=\"warn\"><strong>" + escape(page.unfinished) + "</strong></p>";
   for (const Section& s : page.sections) {
     out.body += "<h2>" + escape(s.heading) + "</h2>";
     for (const std::string& text : s.text) out.body += "<p>" + escape(text) + "</p>";
@@ -124,7 +125,7 @@ std::string page_html(const StudyPage& page) {
 }
 
 std::string page_markdown(const StudyPage& page) {
-  std::string out = "# " + page.title + "\n\n" + page.lead + "\n\nMade by `" + page.command + "`\n";
+  std::string out = "# " + page.title + "\n\n" + page.lead + "\n\nMade by `" + page.command + "`\n" + (page.unfinished.empty() ? "" : "\n**" + page.unfinished + "**\n");
   int figure = 0;
   for (const Section& s : page.sections) {
     out += "\n## " + s.heading + "\n";
@@ -161,7 +162,7 @@ std::vector<std::string> page_figures(const StudyPage& page) {
 }
 
 std::string page_text(const StudyPage& page) {
-  std::string out;
+  std::string out = page.unfinished.empty() ? "" : page.unfinished + "\n";
   for (const Section& s : page.sections) {
     out += report::filled(s.heading, terminal, 0);
     for (const Table& t : s.tables)

@@ -25,6 +25,7 @@ struct StudyPage {
   std::string title, lead;
   std::vector<Section> sections;
   std::string command;
+  std::string unfinished{};  ///< "12 of 96 cells; interrupted": stands above everything; "" when nothing is missing
 };
 
 /// What a number was measured on: processor, cores, compiler and flags, versions of the libraries. One line each.

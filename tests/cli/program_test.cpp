@@ -415,6 +415,25 @@ TEST_F(Program, StudiesEndWhileTheirReferenceIsMade) {
   EXPECT_FALSE(fs::exists(dir / "out"));
 }
 
+// An interrupted study says so wherever it is read, and --resume makes it whole.
+TEST_F(Program, StudiesSayThatTheyWereInterrupted) {
+  const fs::path out = dir / "out";
+  const std::string asks = "study drift --problem short-A --method sheet,rk4,split2,split3,rkmk4,buss-augmented --sums plain --steps 600000 --jobs 1 --out " + out.string();
+  const Ran ran = rigor_says(asks, "timeout --foreground --preserve-status -s INT 1 ");
+  ASSERT_EQ(ran.status, 130) << ran.text;
+  const auto json = nlohmann::json::parse(*read_file(out / "study.json"));
+  EXPECT_EQ(json["interrupted"], true);
+  EXPECT_EQ(json["cells"], 6);
+  EXPECT_EQ(json["finished"], json["rows"].size());
+  const std::string said = std::to_string(json["rows"].size()) + " of 6 cells; interrupted";
+  EXPECT_LT(json["rows"].size(), 6u);
+  EXPECT_TRUE(contains(ran.text, said + "\n")) << ran.text;
+  for (const char* name : {"study.html", "README.md"}) EXPECT_TRUE(contains(*read_file(out / name), said)) << name;
+  EXPECT_EQ(rigor_says(asks + " --resume --quiet").status, 0);
+  EXPECT_EQ(nlohmann::json::parse(*read_file(out / "study.json"))["interrupted"], false);
+  EXPECT_FALSE(contains(*read_file(out / "study.html"), "interrupted"));
+}
+
 TEST_F(Program, NamesTheFileAMethodCannotRun) {
   const std::string scene = file("pushed.json", R"({"cuboids": [{"size": [1, 1, 1], "mass": 1, "position": [0, 0, 0]}], "forces": [{"body": 0, "force": [1, 0, 0]}], "until": 1})");
   for (const char* option : {"--method", "--beside"}) {

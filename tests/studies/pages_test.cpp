@@ -46,7 +46,8 @@ std::vector<StudyRequest> every_kind(const std::vector<std::string>& methods) {
 TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
   for (StudyRequest& r : every_kind({"sheet", "split2"})) {
     if (r.kind == "stability") r.problems = {"case-A", "mass"};  // the other maps take seconds
-    const StudyPage page = study_page(r.kind, measured(r), "rigor study " + r.kind);
+    const std::vector<Row> rows = measured(r);
+    const StudyPage page = study_page(r.kind, rows, "rigor study " + r.kind, rows.size());
     for (const std::string& text : {page_html(page), page_markdown(page)}) {
       EXPECT_NE(text.find("rigor study " + r.kind), std::string::npos);
       EXPECT_NE(text.find("SUNDIALS"), std::string::npos);
@@ -55,6 +56,17 @@ TEST(Pages, ShowEveryRunTheReferenceAndTheMachine) {
         EXPECT_NE(text.find("Taylor series of order 40"), std::string::npos);
       }
     }
+  }
+}
+
+// What an interrupt left out is not to be missed: the page, the terminal and the README say it first.
+TEST(Pages, SayThatAStudyWasInterrupted) {
+  for (const StudyRequest& r : every_kind({"sheet"})) {
+    const std::string said = "0 of 7 cells; interrupted";
+    const StudyPage page = study_page(r.kind, {}, "x", 7);
+    EXPECT_EQ(page_text(page).rfind(said + "\n", 0), 0u);
+    for (const std::string& text : {page_html(page), page_markdown(page)}) EXPECT_NE(text.find(said), std::string::npos) << r.kind;
+    EXPECT_EQ(page_html(study_page(r.kind, {}, "x", 0)).find("interrupted"), std::string::npos);
   }
 }
 
@@ -74,7 +86,7 @@ TEST(Pages, FitEightyColumns) {
     }
     rows.push_back({{r.kind, rows[0].cell.problem, submission, 50, 0, 0, rows[0].cell.x, rows[0].cell.y}, {}, words, ""});
     SCOPED_TRACE(r.kind);
-    const std::string text = page_text(study_page(r.kind, rows, "x"));
+    const std::string text = page_text(study_page(r.kind, rows, "x", rows.size()));
     EXPECT_NE(text.find("after 17"), std::string::npos);
     expect_eighty_columns(text);
   }
@@ -84,7 +96,8 @@ TEST(Pages, FitEightyColumnsWithEveryMethod) {
     StudyRequest r{kind};
     if (r.kind == "drift") r.steps = 100;
     SCOPED_TRACE(kind);
-    expect_eighty_columns(page_text(study_page(kind, measured(r), "x")));
+    const std::vector<Row> rows = measured(r);
+    expect_eighty_columns(page_text(study_page(kind, rows, "x", rows.size())));
   }
 }
 
@@ -94,7 +107,7 @@ TEST(Pages, ShowADozenOfManyCurves) {
   r.coarsest = 10;
   r.rungs = 3;
   const std::vector<Row> rows = measured(r);
-  const StudyPage page = study_page("convergence", rows, "x");
+  const StudyPage page = study_page("convergence", rows, "x", rows.size());
   const auto& series = page.sections[0].plots[0].series;
   EXPECT_EQ(series.size(), 24u);
   EXPECT_EQ(std::count_if(series.begin(), series.end(), [](const report::Series& s) { return !s.aside; }), 11);
@@ -104,7 +117,7 @@ TEST(Pages, ShowADozenOfManyCurves) {
   EXPECT_NE(html.find("\"name\":\"rkmk4\""), std::string::npos);
   EXPECT_NE(html.find("13 more curves"), std::string::npos);
   r.methods = {"rkmk4", "rk4"};
-  EXPECT_EQ(page_html(study_page("convergence", measured(r), "x")).find("more curves"), std::string::npos);
+  EXPECT_EQ(page_html(convergence_page(measured(r))).find("more curves"), std::string::npos);
 }
 
 // The orders of the standard study are those stated, where it prints one; to the two digits printed; but for one that comes to rounding before it
@@ -164,7 +177,8 @@ TEST(Pages, SayOnceThatADriftFailed) {
   StudyRequest r{"drift", {"case-A"}, {"rk4"}};
   r.step = 1e30;
   r.steps = 10;
-  const std::string text = page_text(study_page("drift", measured(r), "x"));
+  const std::vector<Row> rows = measured(r);
+  const std::string text = page_text(study_page("drift", rows, "x", rows.size()));
   const std::size_t at = text.find("left the numbers");
   ASSERT_NE(at, std::string::npos) << text;
   EXPECT_EQ(text.find("left the numbers", at + 1), std::string::npos) << text;
@@ -179,7 +193,26 @@ TEST(Pages, HaveNoWorstErrorOfASweepThatFailed) {
     rows.push_back(row);
   }
   EXPECT_EQ(contact_page(rows).sections[0].tables[0].rows[0][2], "-");
-  EXPECT_NE(page_text(study_page("contact", rows, "x")).find("left the numbers"), std::string::npos);
+  EXPECT_NE(page_text(study_page("contact", rows, "x", rows.size())).find("left the numbers"), std::string::npos);
+}
+
+// Of a student's steps the impacts are not counted, and the energy is nobody's ledger: no number is shown, not 0.
+TEST(Pages, ShowNoCountOfWhatWasNotCounted) {
+  std::vector<Row> rows;
+  for (const char* method : {"sheet", "submission ada 0123"}) {
+    Row row{{"contact", "p-07", method, 120}, {}, "", ""};
+    const bool ours = method == std::string("sheet");
+    row.put("error", 0.01);
+    row.put("own_J", ours ? 0 : NAN);
+    row.put("impacts", ours ? 0 : NAN);
+    rows.push_back(row);
+  }
+  const Table t = contact_page(rows).sections[0].tables[0];
+  const auto column = [&](const char* name) { return std::size_t(std::find(t.header.begin(), t.header.end(), name) - t.header.begin()); };
+  for (const char* name : {"steps' own, J", "impacts"}) {
+    EXPECT_EQ(t.rows[0][column(name)], "0");
+    EXPECT_EQ(t.rows[1][column(name)], "-");
+  }
 }
 
 // A way without steps has no step: it is not on the ladder's plot, and has no order.
@@ -223,7 +256,7 @@ TEST(Pages, SayWhichMethodForWhichError) {
   EXPECT_EQ(choices.rows[3][1], "exact (1 steps)");            // 1e-5
   EXPECT_EQ(choices.rows[3][3], "rk4 (1 steps)");
   EXPECT_EQ(choices.rows[3][5], "none reaches it");
-  EXPECT_NE(page_markdown(study_page("work-precision", rows, "x")).find("fell over"), std::string::npos);
+  EXPECT_NE(page_markdown(study_page("work-precision", rows, "x", rows.size())).find("fell over"), std::string::npos);
 }
 
 }  // namespace

@@ -169,6 +169,24 @@ TEST(Contact, IsExactInLocatedModeAndOfFirstOrderInTheStepper) {
   }
 }
 
+// One line each of what a study can have: a column that is not of the cell, or a value that was not measured, is empty, and 0 is a value.
+TEST(Csv, IsEmptyWhereNothingApplies) {
+  const auto line = [](const Cell& cell, double value) {
+    Row row{cell, {}, "", ""};
+    row.put("error", value);
+    const std::string csv = rows_csv({row});
+    return csv.substr(csv.find('\n') + 1);
+  };
+  EXPECT_EQ(line({"convergence", "case-A", "rk4", 50}, 0.5), "convergence,case-A,rk4,50,,,,,,0.5,\n");
+  EXPECT_EQ(line({"convergence", "case-A", "cvode-adams", 0, 1e-6, 2}, 0.5), "convergence,case-A,cvode-adams,,1e-06,2,,,,0.5,\n");
+  EXPECT_EQ(line({"convergence", "case-A", "exact"}, NAN), "convergence,case-A,exact,,,,,,,,\n");
+  EXPECT_EQ(line({"drift", "case-A", "rk4", 100, 0, 0, 0.01, 0, true}, 0), "drift,case-A,rk4,100,,,0.01,,yes,0,\n");
+  EXPECT_EQ(line({"stability", "spin", "rk4", 10000, 0, 0, 0.3, 10}, 2), "stability,spin,rk4,10000,,,0.3,10,,2,\n");
+  EXPECT_EQ(line({"stability", "case-A", "rk4"}, 1.5), "stability,case-A,rk4,,,,,,,1.5,\n");
+  EXPECT_EQ(line({"contact", "p-04", "sheet", 120, 0, 0, 0}, 0), "contact,p-04,sheet,120,,,0,,,0,\n");
+  EXPECT_EQ(line({"contact", "p-07", "located"}, 0), "contact,p-07,located,,,,,,,0,\n");
+}
+
 TEST(Slope, FindsALineInNoiseAndKnowsWhenThereIsNone) {
   std::vector<double> line, flat;
   for (int i = 0; i < 40; ++i) {
