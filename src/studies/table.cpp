@@ -10,6 +10,7 @@
 #include <rigor/studies/table.hpp>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace rigor::studies {
 namespace {
@@ -25,13 +26,14 @@ std::vector<std::string> cells(const std::string& line) {
   }
   return out;
 }
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, as spreadsheets write it
 struct Parsed {
   std::vector<std::string> header;
   std::vector<std::pair<int, std::vector<std::string>>> lines;  // line number, cells
 };
 Parsed parse(const std::string& text) {
   Parsed parsed;
-  std::istringstream in(text);
+  std::istringstream in(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text);
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -72,7 +74,11 @@ std::string table_json(const std::string& name, const std::string& csv) {
 Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::string& theirs, const std::string& name) {
   using Kind = Fault::Kind;
   const Parsed reference = parse(table), answers = parse(theirs);
+  if (theirs.starts_with("\xFF\xFE") || theirs.starts_with("\xFE\xFF")) return Fault{Kind::malformed, name, "is UTF-16, must be UTF-8"};
   if (answers.header.empty()) return Fault{Kind::malformed, name, "is empty, must be a CSV with a header"};
+  if (answers.header.size() == 1)
+    for (const auto& [separator, word] : {std::pair{';', "';'"}, {'\t', "tabs"}})
+      if (answers.header[0].find(separator) != std::string::npos) return Fault{Kind::malformed, name, fmt::format("has its columns separated by {}, must have ',' (and '.' in numbers)", word)};
   std::vector<std::string> needed{"case", "qw", "qx", "qy", "qz", "wx", "wy", "wz"};
   const bool event = column(reference.header, "time") >= 0;
   if (event) needed.insert(needed.end(), {"time", "vx", "vy", "vz"});

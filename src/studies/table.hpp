@@ -28,7 +28,8 @@ struct TableRow {
   double velocity = 0;   ///< of the centre, worst, relative
 };
 /// `theirs`: CSV with a header and the columns case, qw, qx, qy, qz, wx, wy, wz (attitude body to world, spin in body axes), for a table
-/// with impacts time, vx, vy, vz too, in any order; other columns are passed by. Faults name line and column: missing (a column, every case), unknown_key (a
+/// with impacts time, vx, vy, vz too, in any order; other columns are passed by. A byte order mark is passed by. Faults name line and column: malformed (nothing, UTF-16, another separator than ',', a
+/// line with fewer cells than the header), missing (a column, every case), unknown_key (a
 /// case that is not in the table, or twice), wrong_type or not_finite (a cell), not_unit (a quaternion off by more than 1e-3).
 Outcome<std::vector<TableRow>> check_table(const std::string& table, const std::string& theirs, const std::string& name);
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -100,6 +101,25 @@ TEST(FreeFlightTable, FindsAWrongAnswerAndNamesWhatItCannotRead) {
   EXPECT_NE(fault(right, "generic-1,", "generic-1,3,").find("length"), std::string::npos);
   EXPECT_EQ(check_table(table(), "", "e").fault().kind, Fault::Kind::malformed);
   EXPECT_EQ(check_table(table(), "case,qw,qx,qy,qz,wx,wy,wz\n", "e").fault().kind, Fault::Kind::missing);
+}
+
+// Files as spreadsheets write them: a byte order mark is no part of the header, other separators and UTF-16 are named.
+TEST(FreeFlightTable, KnowsAFileOfASpreadsheet) {
+  const std::string right = table(), mark = "\xEF\xBB\xBF";
+  const auto said = [&](const std::string& text) {
+    const auto checked = check_table(right, text, "mine.csv");
+    return checked ? verdict_text(verdict_of(*checked)) : checked.fault().text();
+  };
+  const std::string plain = said(right), header = right.substr(right.find("case,"));
+  EXPECT_NE(plain.find("49 of 49"), std::string::npos) << plain;
+  EXPECT_EQ(said(mark + right), plain);
+  EXPECT_EQ(said(mark + header), plain);
+  for (const auto& [separator, word] : {std::pair{';', "';'"}, {'\t', "tabs"}}) {
+    std::string text = header;
+    std::replace(text.begin(), text.end(), ',', separator);
+    for (const std::string& file : {text, mark + text}) EXPECT_EQ(said(file), std::string("mine.csv has its columns separated by ") + word + ", must have ',' (and '.' in numbers)");
+  }
+  EXPECT_EQ(said(std::string("\xFF\xFE") + "c\0a\0"), "mine.csv is UTF-16, must be UTF-8");
 }
 
 // The JSON that is committed against the CSV that is, each read here by its own reader: value by value as text.
