@@ -102,9 +102,9 @@ int check_table_command(const Options& options) {
 void add_check_table(CLI::App& app, int& exit_status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("check-table", "compare an engine's flights and impacts with the frozen 30-digit tables");
-  command->add_option("FILE", options->file, "CSV with columns case, qw, qx, qy, qz, wx, wy, wz; impacts: time, vx, vy, vz too; without it the table is printed");
-  command->add_option("--table", options->table, "free-flight (standard), loaded-flight or impacts");
-  command->add_option("--write", options->write, "make the tables anew, as CSV and JSON, into this directory (minutes)");
+  command->add_option("FILE", options->file, "CSV with columns case, qw, qx, qy, qz, wx, wy, wz; impacts: time, vx, vy, vz too; without it the table is printed")->check(not_empty());
+  command->add_option("--table", options->table, "free-flight (standard), loaded-flight or impacts")->check(not_empty());
+  command->add_option("--write", options->write, "make the tables anew, as CSV and JSON, into this directory (minutes)")->check(not_empty());
   command->add_option("--within", options->within, "the largest error allowed, in rad or relative: exit status 1 when one is larger or a case has no answer")->check(in_range(1e-16, 1.0));
   command->footer("Example:  rigor check-table my-engine.csv");
   command->callback([options, &exit_status] { exit_status = check_table_command(*options); });

@@ -29,6 +29,11 @@ CLI::Validator in_range(T low, T high, const std::string& unit = "") {
           range};
 }
 
+/// An option's value, a path or a name, must not be empty: "$DIR" of a variable that is not set is a mistake.
+inline CLI::Validator not_empty() {
+  return {[](std::string& word) { return std::string(word.empty() ? "is empty" : ""); }, ""};
+}
+
 /// An option's value must be one of `words`.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
   const std::string all = fmt::format("{}", fmt::join(words, ", "));

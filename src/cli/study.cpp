@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,6 @@
 #include <rigor/cli/study.hpp>
 #include <rigor/cli/unless_interrupted.hpp>
 #include <rigor/cli/wrote.hpp>
-#include <rigor/scene/method_names.hpp>
 #include <rigor/studies/contact.hpp>
 #include <rigor/studies/drift.hpp>
 #include <rigor/studies/flight.hpp>
@@ -92,7 +92,7 @@ int study_command(const Options& options) {
   if (options.resume && options.out.empty()) return bad_input("--resume: needs --out, where the finished cells lie");
   if (options.all_peers && !request.peers.empty()) return bad_input("--peers and --peer: both choose the peers");
   if (options.all_peers) request.peers = installed_peers();
-  if (options.all_peers && request.peers.empty()) return bad_input("--peers: none of them is installed");
+  if (options.all_peers && request.peers.empty()) return bad_input("--peers: none of their programs is there");
   std::optional<studies::Student> student;
   if (!options.submission.empty()) {
     const auto made = studies::Student::make(options.submission);
@@ -102,6 +102,11 @@ int study_command(const Options& options) {
   }
   const auto cells = unless_interrupted([&] { return studies::plan(request); }, "rigor study: interrupted before anything was measured", "making the references of the problems in 60 digits", !options.quiet);
   if (!cells) return bad_input(cells.fault().text());
+  const auto of_student = [&](const studies::Cell& cell) { return student && cell.method == student->name(); };
+  if (options.jobs > 0 && std::all_of(cells->begin(), cells->end(), [&](const studies::Cell& cell) { return cell.timed() || of_student(cell); }))
+    return bad_input("--jobs: the runs of " + request.kind + " are timed, one after another");
+  if (options.resume)
+    if (const auto fault = studies::other_study(options.out, *cells)) return bad_input("--resume: " + fault->text());
   if (!options.out.empty()) {  // before anything is measured: can it be written, and over nothing but a study?
     if (const auto theirs = not_of_a_study(options.out); !theirs.empty())
       return bad_input("--out: " + theirs + " is there and no study wrote it; give another directory");
@@ -110,7 +115,6 @@ int study_command(const Options& options) {
     if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return bad_input("--out: " + written.fault().text());
   }
 
-  const auto of_student = [&](const studies::Cell& cell) { return student && cell.method == student->name(); };
   const auto measure = [&](const studies::Cell& cell) {
     studies::Student* their = of_student(cell) ? &*student : nullptr;
     if (cell.study == "drift") return studies::drift(cell);
@@ -137,7 +141,10 @@ int study_command(const Options& options) {
     std::fputs(studies::page_text(page).c_str(), stdout);
     if (!files.empty()) say_wrote(options.out, files);
   }
-  return interrupted() != 0 ? 128 + interrupted() : 0;
+  if (interrupted() != 0) return 128 + interrupted();
+  if (!std::all_of(rows->begin(), rows->end(), [](const studies::Row& row) { return !row.failed.empty(); })) return 0;
+  std::fprintf(stderr, "rigor study: every run failed; the first: %s\n", rows->front().failed.c_str());
+  return 1;
 }
 
 // The options given, as they would be typed again, but for where the results go.
@@ -163,20 +170,20 @@ void add_study(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift, stability, contact: our methods, other engines, a submission");
   command->add_option("KIND", r.kind, "convergence, work-precision, drift, stability or contact")->required();
   command->add_option("--problem", r.problems, "by name (docs/studies.md), or a scene file")->delimiter(',');
-  command->add_option("--method", r.methods, "integrators, exact, cvode-adams, ...; contact: located too; all by default")->delimiter(',');
+  command->add_option("--method", r.methods, "of those below; contact: integrators and located; all by default")->delimiter(',');
   command->add_option("--until", r.until, "end of the problems")->check(in_range(1e-30, 1e4, "s"));
   command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(in_range(1L, 1000000L));
   command->add_option("--rungs", r.rungs, "halvings of the step")->check(in_range(1, 24));
   command->add_option("--h", r.h, "these steps instead of a ladder")->delimiter(',')->check(in_range(1e-30, 1e30, "s"));
-  command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers; 1e-15 is rounding")->delimiter(',')->check(in_range(1e-15, 0.1));
+  command->add_option("--tolerance", r.tolerances, "of adaptive methods and peers; below 1e-14 their estimates are rounding")->delimiter(',')->check(in_range(1e-14, 0.1));
   command->add_option("--steps", r.steps, "of drift; 1000000 by default")->check(in_range(1L, 1000000000L));
   command->add_option("--step", r.step, "of drift; 0.01 s by default")->check(in_range(1e-30, 1e30, "s"));
   command->add_option("--sums", r.sums, "of drift: plain, carried; both by default")->delimiter(',')->check(one_of({"plain", "carried"}));
-  command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive");
+  command->add_option("--submission", options->submission, "a student's update (contact: and plane response) beside ours: a directory or an archive")->check(not_empty());
   command->add_flag("--peers", options->all_peers, "other engines too: those whose programs are built");
   command->add_option("--peer", r.peers, "one of them by name: bullet, ode, mujoco, simbody, dart")->delimiter(',');
   command->add_option("--jobs", options->jobs, "cells at a time, where they are not timed; all cores by default")->check(in_range(1, 256));
-  command->add_option("--out", options->out, "directory for study.csv, study.json, study.html, README.md with its figures, and a file for each cell");
+  command->add_option("--out", options->out, "directory for study.csv, study.json, study.html, README.md with its figures, and a file for each cell")->check(not_empty());
   command->add_flag("--resume", options->resume, "go on: take the cells whose files are there");
   command->add_flag("--json", options->json, "print study.json");
   command->add_flag("--quiet", options->quiet, "print nothing but what went wrong");
@@ -185,9 +192,9 @@ void add_study(CLI::App& app, int& exit_status) {
     for (const auto& one : all) text += (text.empty() ? "" : ", ") + one.name;
     return text;
   };
-  command->footer(fmt::format("Methods: {}\n\nAlso to fly: {}\n\nProblems of flight: {}; or a scene file with one cuboid\n\nProblems of contact: {}\n\nStability: the maps {}, or a flight\n\n"
+  command->footer(fmt::format("Methods: {}\n\nProblems of flight: {}; or a scene file with one cuboid\n\nProblems of contact: {}\n\nStability: the maps {}, or a flight\n\n"
                               "Example:  rigor study convergence --problem short-A --method rk4 --out first",
-                              fmt::join(method_names(), ", "), names(studies::other_ways()), fmt::join(studies::problem_names(), ", "), names(studies::contact_problems()), names(studies::maps())));
+                              fmt::join(studies::flying_methods(), ", "), fmt::join(studies::problem_names(), ", "), names(studies::contact_problems()), names(studies::maps())));
   command->callback([options, command, &exit_status] {
     options->command = typed(*command);
     exit_status = study_command(*options);

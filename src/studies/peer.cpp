@@ -29,7 +29,9 @@ Outcome<std::string> program(const std::string& name) {
   std::error_code ec;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", ec);
   const std::filesystem::path path = self.parent_path() / ("rigor-peer-" + name);
-  if (ec || !std::filesystem::exists(path)) return fault(Fault::Kind::unsupported, name, "is not installed: install " + peer->package + ", then cmake --preset release && cmake --build build/release --target rigor_peers");
+  const std::string build = "cmake --build build/release --target rigor_peers";
+  if (ec || !std::filesystem::exists(path))
+    return fault(Fault::Kind::unsupported, name, peer->installed ? "is not built: " + build : "is not installed: install " + peer->package + ", then cmake --preset release && " + build);
   return path.string();
 }
 
@@ -54,7 +56,9 @@ Outcome<Json> ask(const std::string& name, const std::string& arguments) {
 }  // namespace
 
 const std::vector<Peer>& peers() {
-  static const std::vector<Peer> all{{"bullet", "libbullet-dev"}, {"ode", "libode-dev"}, {"mujoco", "libmujoco-dev"}, {"simbody", "libsimbody-dev"}, {"dart", "libdart-dev"}};
+  const auto found = [](const std::string& name) { return std::string(RIGOR_PEERS).find("," + name + ",") != std::string::npos; };  // by peers.cmake
+  static const std::vector<Peer> all{{"bullet", "libbullet-dev", found("bullet")},    {"ode", "libode-dev", found("ode")},    {"mujoco", "libmujoco-dev", found("mujoco")},
+                                     {"simbody", "libsimbody-dev", found("simbody")}, {"dart", "libdart-dev", found("dart")}};
   return all;
 }
 

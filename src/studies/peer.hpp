@@ -5,10 +5,11 @@
 
 namespace rigor::studies {
 
-/// Another engine, in a program of its own beside ours (rigor-peer-NAME), there when its package was at build time.
+/// Another engine, in a program of its own beside ours (rigor-peer-NAME), which can be built where its package is.
 struct Peer {
   std::string name;      ///< "mujoco"
   std::string package;   ///< Debian's: "libmujoco-dev"
+  bool installed;        ///< its package was there when the build was configured
 };
 const std::vector<Peer>& peers();
 
@@ -20,8 +21,8 @@ struct PeerVariant {
   double ns;             ///< about what a step costs, for the length of its ladder
 };
 
-/// What an installed peer can do. Faults: unknown_key (no such peer, with a suggestion), unsupported (its package was not
-/// there when this was built; names it), unreadable (it does not run).
+/// What an installed peer can do. Faults: unknown_key (no such peer, with a suggestion), unsupported (its program is
+/// not there; says whether to build it or to install its package first), unreadable (it does not run).
 Outcome<std::vector<PeerVariant>> peer_variants(const std::string& name);
 
 struct PeerRun {

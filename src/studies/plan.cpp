@@ -60,7 +60,16 @@ std::optional<Fault> without_effect(const StudyRequest& r, const std::vector<Cel
   return std::nullopt;
 }
 
-Outcome<const Problem*> opened(const std::string& name, double until = 0) {
+// A problem of the catalogue or a scene file. Of `free` flights alone, a name that is none of either is answered with those.
+Outcome<const Problem*> opened(const std::string& name, double until, bool free, const Names& more = {}) {
+  const Names all = problem_names();
+  if (free && !name.ends_with(".json") && std::find(all.begin(), all.end(), name) == all.end()) {
+    Names known = free_flight_names();
+    known.insert(known.end(), more.begin(), more.end());
+    Fault fault = *unknown({name}, known, "--problem", more.empty() ? "problem" : "map or problem");
+    fault.what += ", or a scene file";
+    return fault;
+  }
   const auto problem = open_problem(name, until);
   if (problem) return problem;
   const Fault& fault = problem.fault();
@@ -108,12 +117,8 @@ std::vector<double> tolerances_of(const StudyRequest& r) {
 
 Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
   const bool timed = r.kind == "work-precision";
-  Names ours = method_names(), known = ours;
-  for (const OtherWay& way : other_ways()) known.push_back(way.name);
-  for (const Method& m : flow_methods())
-    if (find_other_way(std::string(m.name)) == nullptr) known.emplace_back(m.name);
-  if (const auto fault = unknown(r.methods, known, "--method", "method")) return *fault;
-  Names standard = ours;
+  if (const auto fault = unknown(r.methods, flying_methods(), "--method", "method")) return *fault;
+  Names standard = method_names();
   if (timed) standard.insert(standard.end(), {"exact", "exact-plain", "dormand-prince-adaptive", "cvode-adams", "arkode-fehlberg8"});
   std::vector<PeerVariant> variants;
   for (const std::string& peer : r.peers) {
@@ -125,7 +130,7 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
   if (!timed && r.submission.empty() && variants.empty()) problems.push_back("forced");
   std::vector<Cell> cells;
   for (const std::string& name : chosen(r.problems, problems)) {
-    const auto found = opened(name, r.until.value_or(0));
+    const auto found = opened(name, r.until.value_or(0), !r.submission.empty() || !variants.empty());
     if (!found) return found.fault();
     const Problem& problem = **found;
     if (!problem.falls && !r.submission.empty()) return loaded(name, "a submission is not asked for it");
@@ -189,8 +194,8 @@ Outcome<std::vector<Cell>> flights(const StudyRequest& r) {
 // ---- the others
 
 // The free flight of a problem, for studies that leave its centre out: it must turn.
-Outcome<const Problem*> spinning(const std::string& name, const std::string& study) {
-  const auto problem = opened(name);
+Outcome<const Problem*> spinning(const std::string& name, const std::string& study, const Names& maps = {}) {
+  const auto problem = opened(name, 0, true, maps);
   if (!problem) return problem;
   if (!(*problem)->falls) return loaded(name, study + " would leave it out");
   if ((*problem)->start.w_WB.isZero(0)) return Fault{Kind::out_of_range, "--problem", "is " + name + ", whose spin is 0: " + study + " is relative to its energy"};
@@ -213,16 +218,14 @@ Outcome<std::vector<Cell>> drifts(const StudyRequest& r) {
 }
 Outcome<std::vector<Cell>> stabilities(const StudyRequest& r) {
   if (const auto fault = unknown(r.methods, method_names(), "--method", "method")) return *fault;
-  Names known = problem_names();
-  for (const Map& map : maps()) known.push_back(map.name);
+  Names known_maps;
+  for (const Map& map : maps()) known_maps.push_back(map.name);
   std::vector<Cell> cells;
   for (const std::string& name : chosen(r.problems, {"case-A", "spin", "aspect", "mass"})) {
     const Map* map = find_map(name);
-    if (map == nullptr && !name.ends_with(".json"))
-      if (const auto fault = unknown({name}, known, "--problem", "map or problem")) return *fault;
     std::string content;
     if (map == nullptr) {
-      const auto problem = spinning(name, "stability");
+      const auto problem = spinning(name, "stability", known_maps);
       if (!problem) return problem.fault();
       content = (*problem)->content;
     }
@@ -267,6 +270,14 @@ const std::vector<std::string>& study_kinds() {
   return kinds;
 }
 
+std::vector<std::string> flying_methods() {
+  Names all = method_names();
+  for (const OtherWay& way : other_ways()) all.push_back(way.name);
+  for (const Method& m : flow_methods())
+    if (find_other_way(std::string(m.name)) == nullptr) all.emplace_back(m.name);
+  return all;
+}
+
 Outcome<std::vector<Cell>> plan(const StudyRequest& r) {
   if (const auto fault = unknown({r.kind}, study_kinds(), "", "study")) return *fault;
   if (const auto fault = without_effect(r)) return *fault;
@@ -276,7 +287,7 @@ Outcome<std::vector<Cell>> plan(const StudyRequest& r) {
     if (const auto fault = repeated(names, option)) return *fault;
   if (r.until && !(*r.until > 0 && *r.until <= 1e4)) return Fault{Kind::out_of_range, "--until", "is " + digits(*r.until) + ", must be > 0 and at most 10000 s"};
   for (const double t : r.tolerances)
-    if (!(t >= 1e-15 && t <= 0.1)) return Fault{Kind::out_of_range, "--tolerance", "is " + digits(t) + (t < 1e-15 ? ", below rounding" : "") + "; must be in [1e-15, 0.1]"};
+    if (!(t >= 1e-14 && t <= 0.1)) return Fault{Kind::out_of_range, "--tolerance", "is " + digits(t) + (t < 1e-14 ? ", where the estimate of an error is rounding" : "") + "; must be in [1e-14, 0.1]"};
   const auto cells = r.kind == "drift" ? drifts(r) : r.kind == "stability" ? stabilities(r) : r.kind == "contact" ? contacts(r) : flights(r);
   if (!cells) return cells;
   if (const auto fault = without_effect(r, *cells)) return *fault;

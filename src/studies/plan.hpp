@@ -22,6 +22,9 @@ struct StudyRequest {
 
 const std::vector<std::string>& study_kinds();
 
+/// What may be asked to fly: our methods, those by the closed form, and the other ways.
+std::vector<std::string> flying_methods();
+
 /// The cells of a study. Opens the problems. Faults name the option: unknown_key (kind, problem, method, peer; with a
 /// suggestion), out_of_range (T, steps that do not divide it, a tolerance below rounding, a name or number that is there twice), unsupported (a peer that
 /// is not installed, a problem or an option that is not of this study or not of what is asked to fly).

@@ -1,11 +1,44 @@
 #include <atomic>
 #include <mutex>
+#include <set>
+#include <sstream>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/studies/run_cells.hpp>
 #include <thread>
 
 namespace rigor::studies {
+namespace {
+
+// A description without the hashes of what was read from files.
+std::string of_any_content(std::string text) {
+  text = text.substr(0, text.find(" content="));
+  const std::size_t from = text.find(" method=submission "), to = text.rfind(" steps=");
+  if (from == std::string::npos || to == std::string::npos || to < from) return text;
+  return text.substr(0, text.rfind(' ', to - 1)) + text.substr(to);
+}
+
+}  // namespace
+
+std::optional<Fault> other_study(const std::filesystem::path& directory, const std::vector<Cell>& cells) {
+  const auto list = read_file(directory / "cells.txt");
+  if (!list || cells.empty()) return std::nullopt;
+  std::set<std::string> asked;
+  for (const Cell& cell : cells) asked.insert(of_any_content(cell.text()));
+  std::string first;
+  std::istringstream lines(*list);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("  study=");
+    if (at == std::string::npos) continue;
+    const std::string text = line.substr(at + 2);
+    if (asked.count(of_any_content(text)) > 0) return std::nullopt;
+    if (first.empty()) first = text;
+  }
+  if (first.empty()) return std::nullopt;
+  return Fault{Fault::Kind::unsupported, directory.string(),
+               "has another study, none of the cells asked for: there " + first + " and so on, asked for " + cells.front().text() + " and so on; give another directory, or no --resume"};
+}
+
 Outcome<std::vector<Row>> run_cells(const std::vector<Cell>& cells, const std::function<Row(const Cell&)>& measure, const std::function<bool(const Cell&)>& alone,
                                     const RunOptions& options) {
   std::vector<std::optional<Row>> rows(cells.size());

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <rigor/studies/cell.hpp>
 
 namespace rigor::studies {
@@ -18,5 +19,9 @@ struct RunOptions {
 /// Faults: unwritable.
 Outcome<std::vector<Row>> run_cells(const std::vector<Cell>& cells, const std::function<Row(const Cell&)>& measure, const std::function<bool(const Cell&)>& alone,
                                     const RunOptions& options);
+
+/// Whether the cells.txt of a directory, which lists the file and the description of each cell, is of another study: it has none of these cells, but for
+/// what scene files and submissions held at the time. Then the fault (unsupported) names what is there. A directory without the list is of none.
+std::optional<Fault> other_study(const std::filesystem::path& directory, const std::vector<Cell>& cells);
 
 }  // namespace rigor::studies

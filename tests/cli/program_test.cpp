@@ -68,7 +68,7 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
     for (const char* method : {"sheet", "rk4", "split2-kahan-li8"}) EXPECT_TRUE(contains(help, method)) << command << " " << method;
   }
   const std::string study = rigor_says("study --help").text;
-  for (const char* name : {"case-A", "forced", "p-01-many", "fr-04", "maps spin, aspect, mass", "cvode-adams"}) EXPECT_TRUE(contains(study, name)) << name;
+  for (const char* name : {"case-A", "forced", "p-01-many", "fr-04", "maps spin, aspect, mass", "cvode-adams", "exact-kicks4"}) EXPECT_TRUE(contains(study, name)) << name;
 }
 
 TEST_F(Program, TakesHelpForTheHelpItIs) {
@@ -163,7 +163,12 @@ TEST_F(Program, AnswersWrongWordsWithStatusTwoAndASuggestion) {
       {"study convergence --method rk5", "did you mean 'rk4'?"},
       {"study convergence --until nan", "--until is nan, must be in [1e-30, 10000] s"},
       {"study convergence --problem case-A --h 0.3", "does not divide T = 10 s of case-A into whole steps; 10/33 does"},
-      {"study work-precision --tolerance 1e-16", "--tolerance is 1e-16, must be in [1e-15, 0.1]"},
+      {"study work-precision --tolerance 1e-16", "--tolerance is 1e-16, must be in [1e-14, 0.1]"},
+      {"study convergence --out ''", "--out is empty"},
+      {"study convergence --submission ''", "--submission is empty"},
+      {"check-table ''", "FILE is empty"},
+      {"check-table --write ''", "--write is empty"},
+      {"study work-precision --problem short-A --method rk4 --jobs 2", "--jobs: the runs of work-precision are timed, one after another"},
       {"study convergence --peer jolt", "is none of the peers"},
       {"study convergence --submission /nowhere", "--submission: /nowhere"},
       {"study convergence --resume", "needs --out"},
@@ -413,6 +418,31 @@ TEST_F(Program, StudiesEndWhileTheirReferenceIsMade) {
   const Ran shown = rigor_says(asks + "' /dev/null", "script -qec 'timeout --foreground --preserve-status -k 20 -s INT 4 ");
   EXPECT_TRUE(contains(shown.text, "making the references of the problems in 60 digits, 2 s")) << shown.text;
   EXPECT_FALSE(fs::exists(dir / "out"));
+}
+
+// A study none of whose runs gave a number is no success; one that gave some is.
+TEST_F(Program, StudiesOfWhichEveryRunFailedEndWithStatusOne) {
+  const std::string asks = "study drift --problem case-A --step 1e30 --steps 10 --sums plain --quiet --method ";
+  const Ran ran = rigor_says(asks + "rk4");
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_EQ(ran.text, "rigor study: every run failed; the first: left the numbers after 0 steps\n");
+  const Ran some = rigor_says("study convergence --problem case-A --method explicit-euler,rk4 --h 10 --quiet");
+  EXPECT_EQ(some.status, 0) << some.text;
+}
+
+// --resume goes on with the same study, also a longer or an edited one; the cells of another are named and stay as they are.
+TEST_F(Program, StudiesDoNotGoOnInTheDirectoryOfAnother) {
+  const std::string out = (dir / "out").string(), asks = " --problem short-A --quiet --out " + out + " ";
+  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 3" + asks).status, 0);
+  const std::string list = *read_file(dir / "out" / "cells.txt");
+  for (const char* other : {"convergence --method sheet --rungs 3", "convergence --method rk4 --rungs 3 --until 2", "work-precision --method rk4 --rungs 3"}) {
+    const Ran ran = rigor_says(std::string("study ") + other + asks + "--resume");
+    EXPECT_EQ(ran.status, 2) << ran.text;
+    EXPECT_TRUE(ran.text.starts_with("rigor study: --resume: " + out + " has another study, none of the cells asked for: there study=convergence problem=short-A method=rk4 steps=50 ")) << ran.text;
+    EXPECT_EQ(*read_file(dir / "out" / "cells.txt"), list);
+  }
+  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 4" + asks + "--resume").text, "");
+  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 3 --problem short-A --quiet --resume --out " + (dir / "new").string()).text, "");  // nothing there yet
 }
 
 // An interrupted study says so wherever it is read, and --resume makes it whole.

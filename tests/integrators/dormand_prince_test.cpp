@@ -36,6 +36,13 @@ Pushed push(double A, double span, double tolerance) {
   return p;
 }
 
+// Six decimals of a tolerance would be 0.000000.
+TEST(DormandPrince, NamesTheToleranceItRefuses) {
+  const auto flown = fly_dormand_prince(plate, {}, [](double, const State<double>&) { return Load{}; }, 0, 1, 1e-15);
+  ASSERT_FALSE(flown);
+  EXPECT_EQ(flown.fault().text(), "tolerance is 1e-15, must be in [1e-14, 1e-1]: below it the estimate is rounding");
+}
+
 // A step is kept exactly when its estimate is within the tolerance times 1 + |v|.
 TEST(DormandPrince, KeepsAStepWhenItsEstimateIsWithinTheTolerance) {
   const double h = 0.0199;  // the first guess is longer: one attempt

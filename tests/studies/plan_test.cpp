@@ -3,11 +3,13 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <rigor/base/file.hpp>
 #include <rigor/studies/drift.hpp>
 #include <rigor/studies/peer.hpp>
 #include <rigor/studies/plan.hpp>
 #include <set>
+#include <sstream>
 
 namespace rigor::studies {
 namespace {
@@ -59,7 +61,7 @@ TEST(Plan, RefusesWhatCannotBeStudied) {
   contains(says([](StudyRequest& r) { r = by_h({0.3}); }), "does not divide T = 1 s of short-A into whole steps; 1/3 does");
   contains(says([](StudyRequest& r) { r = by_h({-0.1}); }), "--h is -0.1");
   contains(says([](StudyRequest& r) { r = by_h({std::nan("")}); }), "--h is nan");
-  contains(says([](StudyRequest& r) { r.tolerances = {1e-17}; }), "below rounding");
+  contains(says([](StudyRequest& r) { r.tolerances = {1e-15}; }), "--tolerance is 1e-15, where the estimate of an error is rounding; must be in [1e-14, 0.1]");
   contains(says([](StudyRequest& r) { r.peers = {"buulet"}; }), "did you mean 'bullet'?");
   contains(says([](StudyRequest& r) { r.kind = "drift", r.until = 3; }), "not for drift");
   contains(says([](StudyRequest& r) { r.kind = "contact"; }), "there is no problem of contact 'short-A'");
@@ -67,15 +69,20 @@ TEST(Plan, RefusesWhatCannotBeStudied) {
   EXPECT_EQ(says([](StudyRequest& r) { r = by_h({0.1, 0.05}); }), "planned");
 }
 
-// Beside the test there is no peer's program: the fault names what to install.
-TEST(Plan, NamesThePackageOfAPeerThatIsNotThere) {
+// Beside the test there is no peer's program: the fault says whether to install its package or only to build it. pkg-config knows two of them.
+TEST(Plan, SaysWhatAPeerThatIsNotThereNeeds) {
   for (const Peer& peer : peers()) {
     StudyRequest r = small();
     r.peers = {peer.name};
     const auto cells = plan(r);
     ASSERT_FALSE(cells);
     EXPECT_EQ(cells.fault().kind, Fault::Kind::unsupported);
-    EXPECT_NE(cells.fault().text().find(peer.package), std::string::npos);
+    EXPECT_EQ(cells.fault().text(), "peer " + peer.name + (peer.installed ? " is not built: " : " is not installed: install " + peer.package + ", then cmake --preset release && ") +
+                                        "cmake --build build/release --target rigor_peers");
+    const char* library = peer.name == "bullet" ? "bullet-float64" : peer.name == "ode" ? "ode" : nullptr;
+    if (library != nullptr && std::system("pkg-config --version >/dev/null 2>&1") == 0) {
+      EXPECT_EQ(peer.installed, std::system((std::string("pkg-config --exists ") + library).c_str()) == 0) << peer.name;
+    }
   }
 }
 
@@ -98,6 +105,20 @@ TEST(Plan, RefusesALoadThatWouldBeLeftOut) {
   for (const Cell& cell : *cells) flown.insert(cell.problem);
   EXPECT_EQ(flown, (std::set<std::string>{"short-A", "case-A", "thrown"}));  // the standard set, without the one it would refuse
   for (const char* method : {"exact-plain", "cvode-adams", "cvode-bdf", "arkode-fehlberg8"}) contains(says({"convergence", {"f-01"}, {method}}), std::string(method) + " knows no other");
+}
+// What is offered in place of an unknown name is not refused in turn.
+TEST(Plan, OffersOnlyProblemsItTakes) {
+  for (const char* kind : {"drift", "stability", "convergence"}) {
+    StudyRequest r{kind, {"f-0"}, {"rk4"}};
+    if (r.kind == "convergence") r.submission = "submission ada 0123";
+    const std::string said = says(r), mark = "; known: ";
+    ASSERT_NE(said.find(mark), std::string::npos) << said;
+    std::istringstream known(said.substr(said.find(mark) + mark.size()));
+    for (std::string name; std::getline(known >> std::ws, name, ',') && name != "or a scene file";) {
+      r.problems = {name};
+      EXPECT_EQ(says(r), "planned") << kind;
+    }
+  }
 }
 TEST(Plan, KnowsTheFreeFlightsOfTheCatalogue) {
   const std::vector<std::string> free = free_flight_names();

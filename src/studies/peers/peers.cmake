@@ -1,5 +1,5 @@
 # Other engines for `rigor study --peers`: each a program of its own beside rigor, there when its package is.
-# None is needed, and nothing of them is linked to rigor.
+# None is needed, and nothing of them is linked to rigor, which is told their names to say which are only not built.
 find_package(PkgConfig QUIET)
 function(rigor_peer name)  # what it links
   add_executable(rigor_peer_${name} EXCLUDE_FROM_ALL src/studies/peers/main.cpp src/studies/peers/${name}.cpp)
@@ -7,6 +7,7 @@ function(rigor_peer name)  # what it links
   target_include_directories(rigor_peer_${name} PRIVATE ${PROJECT_BINARY_DIR}/include)
   target_link_libraries(rigor_peer_${name} PRIVATE nlohmann_json::nlohmann_json ${ARGN})
   add_dependencies(rigor_peers rigor_peer_${name})
+  set_property(GLOBAL APPEND_STRING PROPERTY RIGOR_PEERS "${name},")
 endfunction()
 add_custom_target(rigor_peers)
 
@@ -33,3 +34,5 @@ find_package(DART QUIET)
 if(DART_FOUND)
   rigor_peer(dart dart)
 endif()
+get_property(peers GLOBAL PROPERTY RIGOR_PEERS)
+set_source_files_properties(src/studies/peer.cpp PROPERTIES COMPILE_DEFINITIONS "RIGOR_PEERS=\",${peers}\"")
