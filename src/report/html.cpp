@@ -49,7 +49,7 @@ code,pre{font:0.9em/1.45 ui-monospace,"DejaVu Sans Mono","Liberation Mono",monos
 pre{background:var(--card);border:1px solid var(--line);border-radius:6px;padding:.7rem;overflow-x:auto;white-space:pre-wrap;overflow-wrap:anywhere}
 .scroll{overflow-x:auto;overflow-y:hidden}.scroll:has(>math){padding-block:.7rem}table{border-collapse:collapse;margin:.6rem 0;font-variant-numeric:tabular-nums}
 p.caption{color:var(--soft);margin:.6rem 0 0}p.caption+table{margin-top:.2rem}th,td{border-bottom:1px solid var(--line);padding:.28rem .6rem;text-align:left;vertical-align:top}
-th{font-weight:600}td.n,th.n{text-align:right}.card{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:.8rem 1rem;margin:.8rem 0}
+th{font-weight:600}td.n,th.n{text-align:right}td.n{white-space:nowrap}.card{background:var(--card);border:1px solid var(--line);border-radius:8px;padding:.8rem 1rem;margin:.8rem 0}
 .good{color:var(--good)}.bad{color:var(--bad)}.warn{color:var(--warn)}.soft{color:var(--soft)}
 figure{margin:1rem 0}figcaption{color:var(--soft);font-size:.92rem}svg{max-width:100%;height:auto}
 footer{margin-top:3rem;border-top:1px solid var(--line);color:var(--soft);font-size:.85rem;overflow-wrap:anywhere}

@@ -7,6 +7,28 @@
 #include <rigor/studies/pages.hpp>
 
 namespace rigor::studies {
+namespace {
+
+// Order of the errors of halved steps, coarse to fine, its interval of 95 %, and the runs by their place: the window is that of the convergence
+// study, but for where an order settles, since errors through impacts are not smooth in the step.
+std::vector<std::string> order_line(const report::Series& errors) {
+  const Fit fit = fit_order(errors.x, errors.y, false);
+  const std::vector<Place> place = places(errors.x, errors.y, 300, false);
+  std::vector<double> logs;
+  std::size_t first = 0, last = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] != Place::used) continue;
+    if (logs.empty()) first = i;
+    last = i;
+    logs.push_back(std::log2(errors.y[i]));
+  }
+  const bool equally_spaced = !logs.empty() && last - first + 1 == logs.size();
+  std::vector<std::string> line{errors.name, brief(fit.order, "%.2f"), equally_spaced ? brief(slope_of(logs).half_width, "%.2f") : "-"};
+  for (const int n : {fit.used, fit.too_coarse, fit.at_floor, fit.failed}) line.push_back(std::to_string(n));
+  return line;
+}
+
+}  // namespace
 
 StudyPage drift_page(const std::vector<Row>& rows) {
   StudyPage page{"Drift", "What a long free flight loses: the problem's body without load, at a constant step.", {}, ""};
@@ -50,7 +72,7 @@ StudyPage stability_page(const std::vector<Row>& rows) {
     accurate.caption = "the same, neither unstable nor inaccurate";
     std::vector<Table> grids;
     for (const Group& method : by_method(problem.rows)) {
-      Table grid{method.name + ": + stable, o inaccurate, - unstable; " + map->y + " down, " + map->x + " across", {""}, {}, 1};
+      Table grid{method.name + ": + stable, o inaccurate, - unstable; " + "down: " + map->y + "; across: " + map->x, {""}, {}, 1};
       for (const double x : map->xs) grid.header.push_back(brief(x, "%.3g"));
       for (Table* t : {&stable, &accurate}) t->rows.push_back({method.name});
       for (const double y : map->ys) {
@@ -85,9 +107,15 @@ StudyPage contact_page(const std::vector<Row>& rows) {
     const ContactProblem* known = nullptr;
     for (const ContactProblem& p : contact_problems())
       if (p.name == problem.name) known = &p;
-    Section s{problem.name, {known->says + ".", "Answer: " + known->answer + "."}, {}, {}, {}};
-    report::Plot plot{"Worst error against step: " + problem.name, "step, s", "worst error of the sweep", true, true, {}};
-    Table t{"worst error over the sweep, and of the energy ledger", {"method", "steps/s", "worst error", known->x.empty() ? "at" : "at " + known->x, "steps' own, J", "impacts"}, {}, 1};
+    Section s{problem.name, {known->says + (known->says.ends_with("?") ? "" : "."), "Answer: " + known->answer + "."}, {}, {}, {}};
+    const bool swept = known->sweep.size() > 1;
+    report::Plot plot{(swept ? "Worst error against step: " : "Error against step: ") + problem.name, "step, s", swept ? "worst error of the sweep" : "error", true, true, {}};
+    Table t{swept ? "worst error over the sweep, and of the energy ledger" : "error, and the energy ledger", {"method", "steps/s", swept ? "worst error" : "error"}, {}, 1};
+    if (swept) t.header.push_back("at " + known->x);
+    t.header.insert(t.header.end(), {"steps' own, J", "impacts"});
+    Table orders{"order of the error, fitted, with its interval of 95 %; runs used, left out as too coarse (0.1 and more), left out as at rounding, failed; -: fewer than three runs to fit. "
+                 "Where in its step an impact falls is chance: errors scatter about their order, and half a step may see it no sooner",
+                 {"method", "order", "+-", "used", "coarse", "floor", "failed"}, {}, 1};
     Table sweep{"error by " + known->x, {known->x}, {}, 1};
     std::vector<std::vector<double>> columns;
     for (const Group& method : by_method(problem.rows)) {
@@ -103,16 +131,16 @@ StudyPage contact_page(const std::vector<Row>& rows) {
           ledger = std::fmax(ledger, row->at("own_J"));  // of two the number, where one is none
           impacts = std::fmax(impacts, row->at("impacts"));
         }
-        t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "", brief(worst), known->x.empty() ? "" : digits(at), brief(ledger),
-                          brief(impacts, "%.0f")});
+        t.rows.push_back({method.name, n > 0 ? std::to_string(n) : "-", brief(worst)});
+        if (swept) t.rows.back().push_back(digits(at));
+        t.rows.back().insert(t.rows.back().end(), {brief(ledger), brief(impacts, "%.0f")});
         if (n > 0) series.x.push_back(1 / double(n)), series.y.push_back(worst);
       }
       if (series.x.size() > 1) {
-        const Fit fit = fit_order(series.x, series.y, false);
-        t.caption += "; " + method.name + (!std::isnan(fit.order) ? " is of order " + brief(fit.order, "%.2f") : fit.at_floor > 0 ? " has no order: it is at rounding" : " has no order: too few errors below 0.1");
+        orders.rows.push_back(order_line(series));
         plot.series.push_back(series);
       }
-      if (known->sweep.size() > 1) {
+      if (swept) {
         sweep.header.push_back(method.name + (steps.back() > 0 ? ", " + std::to_string(steps.back()) + "/s" : ""));
         columns.emplace_back();
         for (const double x : known->sweep)
@@ -122,6 +150,7 @@ StudyPage contact_page(const std::vector<Row>& rows) {
     }
     s.plots = {plot};
     s.tables = {t};
+    if (!orders.rows.empty()) s.tables.push_back(orders);
     if (!columns.empty()) {
       for (std::size_t i = 0; i < known->sweep.size(); ++i) {
         std::vector<std::string> line{digits(known->sweep[i])};

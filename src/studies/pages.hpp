@@ -21,7 +21,7 @@ struct Group {
 std::vector<Group> by_problem(const std::vector<Row>& rows);
 std::vector<Group> by_method(const std::vector<const Row*>& rows);
 
-/// The problem statement of flights: equations, how the reference was made and its own error.
+/// The problem statement of flights: equations, and where the end is judged, T, how the reference was made and its own error.
 Section problem_section(const Cell& cell);
 
 /// More than sixteen curves cover each other: all but `kept` and one of each family of methods are set aside.

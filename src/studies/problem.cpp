@@ -159,7 +159,6 @@ Outcome<const Problem*> open_problem(const std::string& name, double until) {
     return &made.emplace(key, *problem).first->second;
   }
   Problem problem = recipe->make(name, until > 0 ? until : recipe->until);
-  problem.says += ", T = " + digits(problem.until) + " s";
   return &made.emplace(key, problem).first->second;
 }
 

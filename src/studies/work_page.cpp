@@ -12,6 +12,8 @@ std::string time_text(const Row* row) {
   const double t = row->at("cpu_median");
   return t < 1e-3 ? brief(1e6 * t, "%.3g us") : brief(1e3 * t, "%.3g ms");
 }
+// 1.22 or 30700 instead of 3.07e+04: a column of a table, and as one reads it.
+std::string microseconds(double seconds) { return brief(1e6 * seconds, 1e6 * seconds < 999.5 ? "%.3g" : "%.0f"); }
 std::string setting(const Row& row) {
   if (row.cell.tolerance > 0) return "tol " + digits(row.cell.tolerance);
   return row.cell.steps > 0 ? std::to_string(row.cell.steps) + " steps" : "";
@@ -58,7 +60,7 @@ Table costs(const std::vector<const Row*>& rows, double until) {
       const Row* row = cheapest(method.rows, error);
       if (row == nullptr) continue;
       const double time = row->at("cpu_median");
-      t.rows.push_back({method.name, setting(*row), brief(error, "%.0e"), brief(row->at("attitude")), brief(1e6 * time / until, "%.3g"), brief(time / cheapest(rows, error)->at("cpu_median"), "%.3g")});
+      t.rows.push_back({method.name, setting(*row), brief(error, "%.0e"), brief(row->at("attitude")), microseconds(time / until), brief(time / cheapest(rows, error)->at("cpu_median"), "%.3g")});
     }
     if (t.rows.size() == before) t.rows.push_back({method.name, "none reaches 1e-03", "", "", "", ""});
   }
@@ -98,13 +100,13 @@ StudyPage work_page(const std::vector<Row>& rows) {
         std::vector<std::string> line{row->cell.method, setting(*row)};
         for (const char* name : {"attitude", "momentum", "energy", "position"}) line.push_back(brief(row->at(name)));
         line.push_back(brief(row->at("evaluations"), "%.0f"));
-        for (const char* name : {"cpu_min", "cpu_median", "wall_min", "wall_median"}) line.push_back(brief(1e6 * row->at(name), "%.3g"));
+        for (const char* name : {"cpu_min", "cpu_median", "wall_min", "wall_median"}) line.push_back(microseconds(row->at(name)));
         all.rows.push_back(line);
       }
       std::vector<std::string> line{method.name};
       for (const double error : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-13}) {
         const Row* row = cheapest(method.rows, error);
-        line.push_back(row == nullptr ? "-" : brief(1e6 * row->at("cpu_median"), "%.3g"));
+        line.push_back(row == nullptr ? "-" : microseconds(row->at("cpu_median")));
       }
       line.push_back(brief(least));
       reach.rows.push_back(line);

@@ -196,6 +196,49 @@ TEST(Pages, HaveNoWorstErrorOfASweepThatFailed) {
   EXPECT_NE(page_text(study_page("contact", rows, "x", rows.size())).find("left the numbers"), std::string::npos);
 }
 
+// Errors of four halved steps with log2 = -k + (a, -a, -a, a): the residuals have no slope, so the order is 1, and its interval of 95 % is
+// t(2) sqrt(4 a^2 / 2 / 5) with t(2) = 4.303: 0.68 for a = 1/4. A run of 0.1 and more, one that failed, and those at rounding are counted, not fitted.
+TEST(Pages, GiveAnOrderOfContactWithItsInterval) {
+  std::vector<Row> rows;
+  const auto add = [&](const char* method, long steps, double error) {
+    rows.push_back({{"contact", "p-07", method, steps}, {}, std::isnan(error) ? "left the numbers" : "", ""});
+    rows.back().put("error", error);
+  };
+  add("sheet", 60, NAN);
+  add("sheet", 120, 0.5);
+  for (int k = 0; k < 4; ++k) add("sheet", 240L << k, 0.01 * std::exp2(-k + (k == 0 || k == 3 ? 0.25 : -0.25)));
+  for (int k = 0; k < 3; ++k) add("split2", 240L << k, 1e-16);
+  add("located", 0, 1e-16);
+  const Section section = contact_page(rows).sections[0];
+  const Table& orders = named(section, "order of the error");
+  EXPECT_EQ(orders.header, (std::vector<std::string>{"method", "order", "+-", "used", "coarse", "floor", "failed"}));
+  ASSERT_EQ(orders.rows.size(), 2u);
+  EXPECT_EQ(orders.rows[0], (std::vector<std::string>{"sheet", "1.00", "0.68", "4", "1", "0", "1"}));
+  EXPECT_EQ(orders.rows[1], (std::vector<std::string>{"split2", "-", "-", "0", "0", "3", "0"}));
+}
+
+// Drift and stability fly on from a problem's start: neither its end nor the reference there is theirs.
+TEST(Pages, NameAReferenceWhereOneIsUsed) {
+  for (const char* kind : {"convergence", "drift", "stability"}) {
+    const std::vector<std::string> text = problem_section({kind, "case-A", "rk4", 10}).text;
+    const bool judged = kind == std::string("convergence");
+    EXPECT_EQ(text[0].ends_with(", T = 10 s."), judged) << text[0];
+    EXPECT_EQ(std::count_if(text.begin(), text.end(), [](const std::string& t) { return t.starts_with("Reference"); }), judged ? 1 : 0) << kind;
+  }
+}
+
+// What is not swept has no place where its worst error lies.
+TEST(Pages, NameNoPlaceWhereNothingIsSwept) {
+  for (const ContactProblem& p : contact_problems()) {
+    Row row{{"contact", p.name, "sheet", 120, 0, 0, p.sweep[0]}, {}, "", ""};
+    row.put("error", 0.01);
+    const Table t = contact_page({row}).sections[0].tables[0];
+    EXPECT_EQ(t.header.size(), t.rows[0].size());
+    for (const std::string& name : t.header) EXPECT_NE(name, "at");
+    EXPECT_EQ(std::count(t.header.begin(), t.header.end(), "at " + p.x), p.sweep.size() > 1 ? 1 : 0) << p.name;
+  }
+}
+
 // Of a student's steps the impacts are not counted, and the energy is nobody's ledger: no number is shown, not 0.
 TEST(Pages, ShowNoCountOfWhatWasNotCounted) {
   std::vector<Row> rows;
