@@ -62,6 +62,54 @@ long poses() {  // RIGOR_POSES for a soak
   return asked != nullptr ? std::atol(asked) : 24000;
 }
 
+// Lengths in units of 2^-30 m or of 2^30: the same axis and normal to the bit, gap, depth and points in those units.
+TEST(BoxBox, DoesNotCareHowLargeTheBoxesAre) {
+  Random random(21);
+  int edges = 0;
+  for (int k = 0; k < 600; ++k) {
+    const auto [a, b] = near_contact(random, k % 6);
+    const Manifold found = touch(a, b);
+    edges += found.touches() && found.axis >= 6;
+    for (const double unit : {0x1p-30, 0x1p30}) {
+      const auto in_units = [&](const Body& one) { return body(unit * one.shape.size(), unit * one.pose.p_WB, one.pose.R_WB); };
+      const Body small_a = in_units(a), small_b = in_units(b);
+      const Manifold same = touch(small_a, small_b);
+      EXPECT_EQ(apart(small_a, small_b).gap, unit * apart(a, b).gap);
+      ASSERT_EQ(same.count, found.count);
+      if (!found.touches()) continue;
+      EXPECT_EQ(same.axis, found.axis);
+      EXPECT_EQ(same.n_AB_W, found.n_AB_W);
+      EXPECT_EQ(same.depth, unit * found.depth);
+      for (std::size_t i = 0; i < std::size_t(found.count); ++i) {
+        EXPECT_EQ(same.points[i].p_WC, V(unit * found.points[i].p_WC));
+        EXPECT_EQ(same.points[i].depth, unit * found.points[i].depth);
+      }
+    }
+  }
+  EXPECT_GT(edges, 20) << "of the contacts are of edges";
+}
+
+// Turned against each other by 1e-8 to 1e-6 rad about an axis none of whose edges is special: a direction between two
+// nearly parallel edges is known to u/sine only, and must not win over a face by its rounding.
+TEST(BoxBox, NearlyParallelEdgesDoNotWinByRounding) {
+  Random random(22);
+  std::normal_distribution<double> N;
+  for (int k = 0; k < 20000; ++k) {
+    Body a = body(size_of(random, 4), V(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)), turn(random)), b = a;
+    V about(N(random), N(random), N(random));
+    about *= std::pow(10, uniform(random, -8, -6)) / norm<double>(about);
+    b.pose.R_WB = exp_so3<double>(about) * a.pose.R_WB;
+    const int face = k % 3;
+    V offset(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
+    offset = offset.cwiseProduct(a.shape.size());
+    offset[face] = a.shape.size()[face] * (1 - std::pow(10, uniform(random, -5, -3)));
+    b.pose.p_WB = a.pose.p_WB + a.pose.R_WB * offset;
+    const Manifold found = touch(a, b);
+    ASSERT_TRUE(found.touches());
+    EXPECT_FALSE(found.axis == 6 || found.axis == 10 || found.axis == 14) << k;  // a nearly parallel pair
+  }
+}
+
 // case BB-08: the sign of the gap is that of exact rationals outside a band of 40 u of the extents, at poses chosen
 // within 1e-12 to 1e-1 of contact.
 TEST(BoxBox, SignOfTheGapAgreesWithExactRationals) {

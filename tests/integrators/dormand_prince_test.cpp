@@ -107,6 +107,19 @@ TEST(DormandPrince, HeedsThePlaceAndTheSpin) {
   }
 }
 
+// A picosecond is as long as its steps ask for: ten radians about a principal axis.
+TEST(DormandPrince, FliesAPicosecondAsASecond) {
+  const LoadAt none = [](double, const State<double>&) { return Load{}; };
+  for (const double span : {1e-12, 1.0, 1e12}) {
+    State<double> start;
+    start.w_WB = V(0, 0, 10 / span);
+    const auto flown = fly_dormand_prince(plate, start, none, 0, span, 1e-9);
+    ASSERT_TRUE(flown) << flown.fault().text();
+    EXPECT_GT(flown->steps, 10);
+    EXPECT_LT(angle_between<double>(flown->end.R_WB, rotation_of<double>(Vec4<double>(std::cos(5), 0, 0, std::sin(5)))), 100 * 1e-9) << span;
+  }
+}
+
 // A place far away is known to its own size only; that leaves the attitude none the worse.
 TEST(DormandPrince, KeepsTheAttitudeOfABodyFarAway) {
   const LoadAt none = [](double, const State<double>&) { return Load{}; };
