@@ -76,5 +76,13 @@ TEST(HandedOutPair, DoesNotTurnTheOffset) {
   EXPECT_TRUE(box_box(block, at(zero3<double>(), quarter), block, at(V(quarter * over), quarter)).touches());
 }
 
+// A corner to the bit on the grown face is not inside: 1.01 − 0.5 and 0.5 + 0.01 are the same double.
+TEST(HandedOutPair, TakesTheGrownFaceItselfForOutside) {
+  const auto cube = *Cuboid<double>::make(1, {1, 1, 1});
+  ASSERT_EQ(1.01 - 0.5, 0.5 + 0.01);
+  EXPECT_FALSE(handed_out_pair(cube, at(zero3<double>()), cube, at(V(1.01, 0, 0))));
+  EXPECT_TRUE(handed_out_pair(cube, at(zero3<double>()), cube, at(V(std::nextafter(1.01, 0), 0, 0))));
+}
+
 }  // namespace
 }  // namespace rigor
