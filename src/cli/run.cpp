@@ -67,6 +67,9 @@ void print(const Scene& scene, const RunSummary& run, double wall) {
   first(run.handed_over, [](const HandOver& h) {
     fmt::print("  handed over        cuboid {}, t = {} to {} s{}:\n    {}\n", h.body, brief(h.from, "%.6g"), brief(h.to, "%.6g"), h.times > 1 ? ", " + std::to_string(h.times) + " times" : "", h.why);
   });
+  first(run.may_have_missed, [](const MayHaveMissed& m) {
+    fmt::print("  may have missed    cuboids {} and {} in {}, t = {} to {} s:\n    they met too often in one step; a smaller dt follows them\n", m.A, m.B, m.times == 1 ? "1 step" : std::to_string(m.times) + " steps", brief(m.from, "%.6g"), brief(m.to, "%.6g"));
+  });
   for (const PlanLine& line : plan({}, l.skips))
     if (line.skipped && line.left_out > 0) fmt::print("  skipped            {:.1f} % of {} {}: {}\n", 100 * double(line.left_out) / double(line.of), line.of, line.what, line.why);
   fmt::print("  deepest overlap    {} m\n", three(l.deepest_penetration));

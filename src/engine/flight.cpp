@@ -22,16 +22,19 @@ ExactFlight attitude_of(const Cuboid<double>& shape, const V& w_B, const State<d
 
 Flight::Flight(const Cuboid<double>& shape, const State<double>& start, const V& a_W, std::optional<int> about)
     : shape_(&shape), start_(start), a_W_(a_W), w_B_(spin_of(start, about)), attitude_(attitude_of(shape, w_B_, start)) {
+  spin_ = spin_bound(shape, w_B_);
+  bound_ = spin_ * spin_ * (1 + 1 / std::sqrt(3.0));
+}
+
+double Flight::spin_bound(const Cuboid<double>& shape, const V& w_B) {
   double energy2 = 0, L2 = 0;
   for (int i = 0; i < 3; ++i) {
-    const double L = shape.inertia()[i] * w_B_[i];
-    energy2 += L * w_B_[i];
+    const double L = shape.inertia()[i] * w_B[i];
+    energy2 += L * w_B[i];
     L2 += L * L;
   }
   const double I_min = shape.inertia().minCoeff();
-  const double w2 = std::min(energy2, L2 / I_min) / I_min * (1 + 1e-12);
-  spin_ = std::sqrt(w2);
-  bound_ = w2 * (1 + 1 / std::sqrt(3.0));
+  return std::sqrt(std::min(energy2, L2 / I_min) / I_min * (1 + 1e-12));
 }
 
 double Flight::rounding(double tau) const {

@@ -26,6 +26,8 @@ class Flight {
   double rounding(double tau) const;
   /// Bound on |ω|, rad/s.
   double spin_bound() const { return spin_; }
+  /// The same without a flight, for a body that turns with spin ω_B (body axes) now.
+  static double spin_bound(const Cuboid<double>& shape, const Vec3<double>& w_B);
 
  private:
   const Cuboid<double>* shape_;

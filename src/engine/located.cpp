@@ -34,6 +34,7 @@ LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const Locate
 
 double LocatedWorld::next_time() {
   for (;;) {
+    watch_step();
     double t = next_action_ < scene_.actions.size() ? scene_.actions[next_action_].at : infinity;
     t = std::min(t, next_step_);
     while (!events_.empty() && is_void(events_.front())) std::pop_heap(events_.begin(), events_.end(), std::greater<>{}), events_.pop_back();
@@ -48,7 +49,7 @@ double LocatedWorld::next_time() {
 }
 
 void LocatedWorld::advance() {
-  const double t = next_time();
+  const double t = now_ = next_time();
   if (next_action_ < scene_.actions.size() && scene_.actions[next_action_].at <= t) return act(scene_.actions[next_action_++]);
   if (events_.empty() || events_.front().at.value() > t) return step_all(t);
   const Event event = events_.front();
@@ -127,6 +128,8 @@ void LocatedWorld::act(const SceneAction& action) {
     gravity_ = now;
     begin(i, bodies_[i].start.after(tau), s);
   }
+  next_step_ = whole_step_;
+  unwatched_.insert(unwatched_.end(), stepping_.begin(), stepping_.end());
 }
 
 void LocatedWorld::happen(std::size_t i) {

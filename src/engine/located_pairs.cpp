@@ -52,6 +52,7 @@ void LocatedWorld::look(std::size_t i) {
     if (theirs.known.size() > 2 * theirs.kept + 16) forget_void(theirs);
     theirs.known.push_back({std::uint32_t(i), b.flights});
   }
+  if (!stepping_.empty()) unwatched_.push_back(std::uint32_t(i));
   b.looked = to;
   if (to < end) push({b.start.after(to), Event::Kind::look, false, std::uint32_t(i), std::uint32_t(i), b.flights, b.flights});
 }

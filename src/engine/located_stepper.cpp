@@ -3,6 +3,7 @@
 #include <rigor/contact/plane_response.hpp>
 #include <rigor/engine/flow_methods.hpp>
 #include <rigor/engine/located_world.hpp>
+#include <rigor/engine/pair_search.hpp>
 #include <rigor/formulas/gram_schmidt.hpp>
 
 namespace rigor {
@@ -14,6 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double u = 0x1p-53;
 constexpr int calm_steps = 10;  // before a body flies again
+constexpr int most_parts = 16;         // of one step
 constexpr long most_steps = 10000000;  // of one run; all bodies in the stepper step together
 
 }  // namespace
@@ -38,7 +40,9 @@ void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<doubl
     ++summary_.handed_over[b.reported].times;
     stepping_.insert(std::lower_bound(stepping_.begin(), stepping_.end(), i), std::uint32_t(i));
   }
-  next_step_ = std::min(next_step_, step_after(now));
+  whole_step_ = std::min(whole_step_, step_after(now));
+  next_step_ = std::min(next_step_, whole_step_);
+  unwatched_.push_back(std::uint32_t(i));
   boxes_.remove(std::uint32_t(i));
   settle(i);
 }
@@ -78,8 +82,11 @@ void LocatedWorld::step_all(double t) {
     settle(i);
     ++summary_.steps;
   }
-  next_step_ = infinity;
-  for (const std::uint32_t i : in) next_step_ = std::min(next_step_, step_after(bodies_[i].start));
+  const bool whole = t >= whole_step_;
+  parts_ = whole ? 0 : parts_ + 1;
+  whole_step_ = infinity;
+  for (const std::uint32_t i : in) whole_step_ = std::min(whole_step_, step_after(bodies_[i].start));
+  next_step_ = whole_step_;
   if (!summary_.finite) return;
   // who flies into one of them joins them
   flown_into_.clear();
@@ -110,10 +117,73 @@ void LocatedWorld::step_all(double t) {
       k = std::size_t(std::upper_bound(found_.begin(), found_.end(), j) - found_.begin()) - 1;
     }
   }
-  for (const std::uint32_t i : in) bodies_[i].calm = met_[i] ? 0 : bodies_[i].calm + 1;
+  for (const std::uint32_t i : in) bodies_[i].calm = met_[i] ? 0 : bodies_[i].calm + whole;
   for (const std::uint32_t i : in)
     if (bodies_[i].calm >= calm_steps && clear(i)) begin(i, bodies_[i].start, bodies_[i].state);
-  if (stepping_.empty()) next_step_ = infinity;
+  if (stepping_.empty()) next_step_ = whole_step_ = infinity;
+  unwatched_.insert(unwatched_.end(), stepping_.begin(), stepping_.end());
+}
+
+void LocatedWorld::watch_step() {
+  if (stepping_.empty() || !summary_.finite) return unwatched_.clear();
+  std::vector<std::uint32_t>& who = unwatched_;
+  std::sort(who.begin(), who.end());
+  who.erase(std::unique(who.begin(), who.end()), who.end());
+  for (const std::uint32_t i : who) {
+    if (!bodies_[i].handed) continue;
+    // straight on, with the fall to spare
+    const State<double>& s = bodies_[i].state;
+    const double h = bodies_[i].start.until(whole_step_), reach = size(i) / 2 * 1.001 + h * h / 2 * norm<double>(gravity_);
+    const V there = s.p_WB + h * s.v_WB;
+    const AxisBox path{V(s.p_WB.cwiseMin(there) - V::Constant(reach)), V(s.p_WB.cwiseMax(there) + V::Constant(reach))};
+    if (!holds(boxes_.box(i), path)) boxes_.put(i, path);
+  }
+  for (const std::uint32_t i : who) {
+    near(boxes_.box(i), found_);
+    for (const std::uint32_t j : found_) {
+      if (j == i || !(bodies_[i].handed || bodies_[j].handed)) continue;
+      if (j < i && std::binary_search(who.begin(), who.end(), j)) continue;  // seen from j
+      watch_pair(std::min(i, j), std::max(i, j));
+    }
+  }
+  who.clear();
+}
+
+void LocatedWorld::watch_pair(std::size_t i, std::size_t j) {
+  const LocatedBody &a = bodies_[i], &b = bodies_[j];
+  const Moment base = a.start.since(b.start) > 0 ? a.start : b.start;
+  const double h = base.until(next_step_);
+  if (!(h > 0)) return;
+  struct Course {
+    V p, v, a;
+    double turning;  // m/s, of a corner
+  };
+  const auto course = [&](std::size_t k) {
+    const LocatedBody& body = bodies_[k];
+    const State<double>& s = body.flight ? body.flight->start() : body.state;
+    const V pull = body.flight ? body.flight->acceleration() : gravity_;
+    const double tau = base.since(body.start), W = body.flight ? body.flight->spin_bound() : Flight::spin_bound(shape(k), apply_transposed<double>(s.R_WB, s.w_WB));
+    return Course{V(s.p_WB + tau * (s.v_WB + tau / 2 * pull)), V(s.v_WB + tau * pull), pull, W * size(k) / 2};
+  };
+  const Course A = course(i), B = course(j);
+  const double thinnest = std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff()), pull = norm<double>(V(B.a - A.a));
+  const double centres = norm<double>(V(B.v - A.v)) + h * pull, fastest = centres + A.turning + B.turning;
+  if (h * fastest <= thinnest / 2) return;  // overlapping they are found at its end, on the side they came from
+  if (norm<double>(V(B.p - A.p)) > h * centres + 1.001 * (size(i) + size(j)) / 2) return;
+  const auto flight = [&](std::size_t k) { return bodies_[k].flight ? *bodies_[k].flight : Flight(shape(k), bodies_[k].state, gravity_); };
+  const PairContact found = next_pair_contact(shape(i), flight(i), base.since(a.start), shape(j), flight(j), base.since(b.start), 0, h);
+  summary_.steps += found.advances;
+  if (found.kind == PairContact::Kind::none) return;
+  const double met = base.after(found.time).value(), end = met + thinnest / (4 * fastest);  // no deeper than a quarter of it
+  if (end >= next_step_) return;
+  if (parts_ < most_parts) {
+    next_step_ = std::max(end, now_);
+    return;
+  }
+  const auto [place, first] = missed_.insert({{i, j}, summary_.may_have_missed.size()});
+  if (first) summary_.may_have_missed.push_back({i, j, 0, met, met});
+  MayHaveMissed& missed = summary_.may_have_missed[place->second];
+  ++missed.times, missed.to = met;
 }
 
 bool LocatedWorld::clear(std::size_t i) {

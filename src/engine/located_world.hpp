@@ -146,9 +146,13 @@ class LocatedWorld {
   // -- the stepper, for persistent contacts
 
   void hand_over(std::size_t i, const Moment& now, const State<double>& s, const char* why);
-  /// Steps end at multiples of dt, so that all bodies in the stepper step together.
+  /// Steps end at multiples of dt, so that all bodies in the stepper step together; and where two would meet that a step could
+  /// carry past each other, soon after they meet.
   double step_after(const Moment& start) const;
   void step_all(double t);
+  /// Looks at what the step to come would carry past each other, for bodies in `unwatched_`.
+  void watch_step();
+  void watch_pair(std::size_t i, std::size_t j);
   /// A body in the stepper has moved: where it has left its box it gets a new one, and true is returned.
   bool settle(std::size_t i);
   /// Not inside a plane or a body that flies: only then can it fly itself.
@@ -185,7 +189,12 @@ class LocatedWorld {
   std::vector<std::uint32_t> stepping_, step_of_;  // in order of index; of the step on its way
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flown_into_;
   long steps_ = 0;
-  double next_step_ = std::numeric_limits<double>::infinity();
+  double next_step_ = std::numeric_limits<double>::infinity();  // s; not after whole_step_
+  double whole_step_ = next_step_;       // the next multiple of dt
+  int parts_ = 0;                        // of the step on its way
+  double now_ = 0;                       // s: everything before has happened
+  std::vector<std::uint32_t> unwatched_; // who moves on a path that the step to come was not searched with
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> missed_;  // place in may_have_missed
   std::size_t next_action_ = 0;
   std::vector<State<double>> shown_;
 };

@@ -24,10 +24,19 @@ struct Accumulation {
   double tail;           ///< s, what the bounces left out would have taken: 2v/(a (1 − e)) for one contact
 };
 
+/// Two cuboids of which one at least was in the stepper may have passed through each other (method "located" only): they met more
+/// often within one step than it is divided for.
+struct MayHaveMissed {
+  std::size_t A, B;
+  long times;            ///< steps
+  double from, to;       ///< s: the first and the last time
+};
+
 struct RunSummary {
   Ledger ledger;
   std::vector<HandOver> handed_over;
   std::vector<Accumulation> accumulations;
+  std::vector<MayHaveMissed> may_have_missed;
   std::string stopped;   ///< why the run ended before `until`; "" when it did not
   long steps = 0;        ///< of the integrator; method "located": advances of its searches
   double t_end = 0;      ///< `until`, or earlier when interrupted

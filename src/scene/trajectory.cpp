@@ -43,9 +43,10 @@ void TrajectoryCsv::add(double t, const std::vector<State<double>>& states) {
 std::string summary_json(const Scene& scene, const RunSummary& run, double wall_s) {
   const Ledger& l = run.ledger;
   const Ledger::Energy& e = l.energy;
-  nlohmann::ordered_json handed_over = nlohmann::ordered_json::array(), accumulations = handed_over;
+  nlohmann::ordered_json handed_over = nlohmann::ordered_json::array(), accumulations = handed_over, may_have_missed = handed_over;
   for (const HandOver& h : run.handed_over) handed_over.push_back({{"body", h.body}, {"times", h.times}, {"from", h.from}, {"to", h.to}, {"why", h.why}});
   for (const Accumulation& a : run.accumulations) accumulations.push_back({{"body", a.body}, {"at", a.at}, {"tail", a.tail}});
+  for (const MayHaveMissed& m : run.may_have_missed) may_have_missed.push_back({{"bodies", {m.A, m.B}}, {"times", m.times}, {"from", m.from}, {"to", m.to}});
   nlohmann::ordered_json json{
       {"schema", "rigor.summary/1"},
       {"scene", scene.name},
@@ -73,6 +74,7 @@ std::string summary_json(const Scene& scene, const RunSummary& run, double wall_
                  {"loads", l.skips.loads}, {"loads_of", l.skips.loads_of}, {"rest", l.skips.rest}, {"rest_of", l.skips.rest_of}, {"monitors", l.skips.monitors}, {"monitors_of", l.skips.monitors_of}}},
       {"handed_over", handed_over},
       {"accumulations", accumulations},
+      {"may_have_missed", may_have_missed},
       {"stopped", run.stopped},
       {"wall_s", wall_s}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

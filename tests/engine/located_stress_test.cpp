@@ -276,6 +276,51 @@ TEST(LocatedStress, NothingTunnels) {
   EXPECT_NEAR(end[1].v_WB[1], 1e6, 1e-8);
   EXPECT_NEAR(end[1].p_WB[1], 5, 1e-5) << "20 - 25 m, turned back at the floor, two thicknesses off";
 }
+// Two cubes that slide at each other on a floor with a spin about the normal, a step three times as long as they are: wherever
+// the steps fall they meet, and neither comes out on the other's side. So does a small one in flight with one in the stepper.
+TEST(LocatedStress, NothingTunnelsInTheStepper) {
+  for (int k = 0; k < 40; ++k) {
+    const bool flies = k % 2 == 1;
+    Scene s;
+    s.method = "located", s.until = 0.05;
+    s.surface = *Surface<double>::make(0.5, 0.3, 0.3);
+    s.planes.push_back(*Plane<double>::make({0, 0, 0}, {0, 1, 0}));
+    State<double> a, b;
+    a.p_WB = V(-0.5 - 0.01 * k, 0.025, 0), a.v_WB = V(20, 0, 0), a.w_WB = V(0, 1, 0);
+    b.p_WB = V(0.5, flies ? 0.035 : 0.025, 0.003), b.v_WB = V(-20, 0, 0), b.w_WB = V(0, 1.5, 0);
+    s.bodies = {{*Cuboid<double>::make(1, {0.05, 0.05, 0.05}), a}, {*Cuboid<double>::make(1, flies ? V{0.02, 0.02, 0.02} : V{0.05, 0.05, 0.05}), b}};
+    std::vector<State<double>> end;
+    const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+    ASSERT_TRUE(run);
+    EXPECT_FALSE(run->handed_over.empty());
+    EXPECT_GE(run->ledger.pair_impacts, 1) << k;
+    EXPECT_TRUE(run->may_have_missed.empty());
+    EXPECT_LT(end[0].p_WB[0], end[1].p_WB[0]) << k << ": head on, they part to the sides they came from";
+    EXPECT_LT(run->ledger.energy.worst_drift, 1e-11);
+    EXPECT_LT(run->ledger.linear.worst_drift, 1e-12);
+  }
+}
+
+// Two that begin inside each other and spin at 1e4 and 2.4e5 rad/s meet more often in a step than it is divided for: said, not silent.
+TEST(LocatedStress, WhatTheStepperMayHaveMissedIsNamed) {
+  Scene s;
+  s.method = "located", s.until = 0.05;
+  State<double> grain, plate;
+  grain.w_WB = V(1e5, 2e5, 1e5), plate.w_WB = V(1e4, 0, 1000);
+  s.bodies = {{*Cuboid<double>::make(1, {1e-4, 1e-4, 1e-4}), grain}, {*Cuboid<double>::make(1, {1, 1e-4, 1}), plate}};
+  const auto run = simulate_located(s, [](double, const std::vector<State<double>>&) {});
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->may_have_missed.size(), 1u) << "a pair once, however often";
+  const MayHaveMissed& missed = run->may_have_missed[0];
+  EXPECT_EQ(missed.A, 0u);
+  EXPECT_EQ(missed.B, 1u);
+  EXPECT_GE(missed.times, 1);
+  EXPECT_GE(missed.from, 0);
+  EXPECT_LT(missed.from, s.dt);
+  EXPECT_LE(missed.from, missed.to);
+  EXPECT_LE(missed.to, s.until);
+}
+
 TEST(LocatedStress, WhatHasTorqueIsRefused) {
   Scene s = floor_scene(*Cuboid<double>::make(2, {0.5, 0.25, 1}), tumbling(2), 0.5, 0.3);
   s.actions = {{1, SceneAction::Do::vacuum_on}};
