@@ -170,7 +170,7 @@ void add_study(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift, stability, contact: our methods, other engines, a submission");
   command->add_option("KIND", r.kind, "convergence, work-precision, drift, stability or contact")->required();
   command->add_option("--problem", r.problems, "by name (docs/studies.md), or a scene file")->delimiter(',');
-  command->add_option("--method", r.methods, "of those below; contact: integrators and located; all by default")->delimiter(',');
+  command->add_option("--method", r.methods, "of those below (contact: located too; by default sheet, split2 and it alone)")->delimiter(',');
   command->add_option("--until", r.until, "end of the problems")->check(in_range(1e-30, 1e4, "s"));
   command->add_option("--coarsest", r.coarsest, "steps of the first run (contact: in a second)")->check(in_range(1L, 1000000L));
   command->add_option("--rungs", r.rungs, "halvings of the step")->check(in_range(1, 24));

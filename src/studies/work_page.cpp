@@ -13,7 +13,8 @@ std::string time_text(const Row* row) {
   return t < 1e-3 ? brief(1e6 * t, "%.3g us") : brief(1e3 * t, "%.3g ms");
 }
 // 1.22 or 30700 instead of 3.07e+04: a column of a table, and as one reads it.
-std::string microseconds(double seconds) { return brief(1e6 * seconds, 1e6 * seconds < 999.5 ? "%.3g" : "%.0f"); }
+std::string plainly(double x) { return brief(x, x < 999.5 ? "%.3g" : "%.0f"); }
+std::string microseconds(double seconds) { return plainly(1e6 * seconds); }
 std::string setting(const Row& row) {
   if (row.cell.tolerance > 0) return "tol " + digits(row.cell.tolerance);
   return row.cell.steps > 0 ? std::to_string(row.cell.steps) + " steps" : "";
@@ -60,7 +61,7 @@ Table costs(const std::vector<const Row*>& rows, double until) {
       const Row* row = cheapest(method.rows, error);
       if (row == nullptr) continue;
       const double time = row->at("cpu_median");
-      t.rows.push_back({method.name, setting(*row), brief(error, "%.0e"), brief(row->at("attitude")), microseconds(time / until), brief(time / cheapest(rows, error)->at("cpu_median"), "%.3g")});
+      t.rows.push_back({method.name, setting(*row), brief(error, "%.0e"), brief(row->at("attitude")), microseconds(time / until), plainly(time / cheapest(rows, error)->at("cpu_median"))});
     }
     if (t.rows.size() == before) t.rows.push_back({method.name, "none reaches 1e-03", "", "", "", ""});
   }

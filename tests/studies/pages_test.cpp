@@ -299,6 +299,10 @@ TEST(Pages, SayWhichMethodForWhichError) {
   EXPECT_EQ(choices.rows[3][1], "exact (1 steps)");            // 1e-5
   EXPECT_EQ(choices.rows[3][3], "rk4 (1 steps)");
   EXPECT_EQ(choices.rows[3][5], "none reaches it");
+  const Table& costs = named(page.sections[0], "each method's cheapest");
+  const auto dear = std::find_if(costs.rows.begin(), costs.rows.end(), [](const auto& line) { return line[0] == "ode/step"; });
+  EXPECT_EQ((*dear)[4], "1000");  // microseconds a second of a problem of 1 s
+  EXPECT_EQ((*dear)[5], "500");
   EXPECT_NE(page_markdown(study_page("work-precision", rows, "x", rows.size())).find("fell over"), std::string::npos);
 }
 
