@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <random>
 #include <rigor/collision/box_box.hpp>
 #include <rigor/linalg/rotation.hpp>
@@ -374,6 +375,48 @@ TEST(BoxBox, ThinPlatesFarFromTheOrigin) {
   ASSERT_TRUE(m.touches());
   EXPECT_EQ(m.n_AB_W, V(0, 1, 0));
   EXPECT_NEAR(m.depth, 1e-7, 4 * unit_roundoff<double>() * 2e6);  // the difference of positions is known no better
+}
+
+// Corner to corner in the plane across them, edges turned by little more than 1e-8 rad: that pair sees the gap, √2
+// times what a face sees, less the noise of its direction, a few u/s of the extents.
+TEST(BoxBox, NearlyParallelEdgesTellTheGapLessTheNoiseOfTheirDirection) {
+  const double gap = 0.01 * std::sqrt(2), s = 1.2e-8;
+  const V diagonal = V(0, 1, 1) / std::sqrt(2);
+  const Body a = body(V(1, 1, 1)), b = body(V(1, 1, 1), V(0, 1.01, 1.01), exp_so3<double>(V(s * diagonal)));
+  const Separation found = apart(a, b);
+  const double noise = unit_roundoff<double>() * extent(a, b) / s;
+  EXPECT_EQ(found.axis, 6);
+  EXPECT_LT(found.gap, gap - noise);
+  EXPECT_GT(found.gap, gap - 20 * noise);
+}
+
+// Two bars lying crosswise in each other, edges up: x of the one times y of the other is z.
+TEST(BoxBox, TheNormalOfCoincidentCentresIsTheProductOfTheEdges) {
+  const double eighth = std::atan(1);
+  const Manifold m = touch(body(V(4, 1, 1), zero3<double>(), exp_so3<double>(V(eighth, 0, 0))),
+                           body(V(1, 4, 1), zero3<double>(), exp_so3<double>(V(0, eighth, 0))));
+  EXPECT_EQ(m.axis, 7);
+  EXPECT_NEAR(m.n_AB_W[2], 1, 1e-15);
+}
+
+// A tilted box sinks in bit by bit: where its upper corners reach the face to the bit, they are not yet points.
+TEST(BoxBox, EveryPointIsDeeperThanNothing) {
+  int two = 0, four = 0;
+  for (const double tilt : {0.01, 0.02, 0.03}) {
+    double z = 0.5 + 0.5 * std::cos(tilt) - 0.5 * std::sin(tilt) - 20 * 0x1p-53;
+    for (int k = 0; k < 40; ++k, z += 0x1p-53) {
+      const Manifold m = touch(body(V(3, 3, 1)), body(V(1, 1, 1), V(0, 0, z), exp_so3<double>(V(0, tilt, 0))));
+      two += m.count == 2, four += m.count == 4;
+      for (int i = 0; i < m.count; ++i) EXPECT_GT(m.points[std::size_t(i)].depth, 0) << z;
+    }
+  }
+  EXPECT_GT(two, 20);
+  EXPECT_GT(four, 20);
+}
+
+TEST(BoxBox, APoseThatIsNoNumberHasNoAxis) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(apart(body(V(1, 1, 1)), body(V(1, 1, 1), V(nan, nan, nan))).axis, -1);
 }
 
 }  // namespace

@@ -118,5 +118,14 @@ TEST(BoxIndex, FindsThoseThatOverlap) {
   EXPECT_GT(met, 10000u) << "boxes that never overlap show nothing";
 }
 
+// A point asks for no cells to speak of; boxes that hold it are found by cells as wide as they are.
+TEST(BoxIndex, FindsBoxesAroundAPoint) {
+  BoxIndex index(8);
+  for (std::uint32_t i = 0; i < 8; ++i) index.put(i, {Vec3<double>(-1, -1, -1), Vec3<double>(1, 1, 1)});
+  std::vector<std::uint32_t> found;
+  index.overlapping({Vec3<double>(0, 0, 0), Vec3<double>(0, 0, 0)}, found);
+  EXPECT_EQ(found.size(), 8u);
+}
+
 }  // namespace
 }  // namespace rigor

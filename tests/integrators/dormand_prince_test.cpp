@@ -139,5 +139,13 @@ TEST(DormandPrince, EndsWhereALoadIsNoNumberHoweverLate) {
   EXPECT_EQ(flown.fault().where, "step");
 }
 
+// Shorter than the first guess: one step, seven loads, and no step of nothing after it.
+TEST(DormandPrince, FliesAShortWayInOneStep) {
+  const auto flown = fly_dormand_prince(plate, {}, [](double, const State<double>&) { return Load{}; }, 0, 1e-3, 1e-9);
+  ASSERT_TRUE(flown);
+  EXPECT_EQ(flown->steps, 1);
+  EXPECT_EQ(flown->evaluations, 7);
+}
+
 }  // namespace
 }  // namespace rigor

@@ -4,6 +4,8 @@
 #include <rigor/formulas/angular_acceleration.hpp>
 #include <rigor/formulas/semi_implicit_step.hpp>
 #include <rigor/formulas/world_inverse_inertia.hpp>
+#include <rigor/integrators/runge_kutta.hpp>
+#include <rigor/integrators/taylor.hpp>
 #include <rigor/scalar/gamma.hpp>
 #include <tests/integrators/laws.hpp>
 
@@ -244,6 +246,26 @@ TEST(RungeKutta, FollowsAPrismUnderAnAxialTorque) {
   // the load is held in world axes over a step, so the torque's axis lags by half a step: order 1
   EXPECT_NEAR(std::log2(error(400) / error(800)), 1, 0.1);
   EXPECT_LT(error(6400), 1e-3);
+}
+
+// Twenty radians a step: the series is far from a rotation, its quaternion grows some hundredfold a step, and 160 steps
+// at a time still turn as one at a time do.
+TEST(Methods, TaylorKeepsItsQuaternionAmongTheNumbersOverLongSteps) {
+  State<double> start;
+  start.w_WB = V(0, 0, 20);
+  for (const long steps : {16L, 160L}) {
+    Motion one = motion_of(prism, start);
+    const Motion all = fly_taylor16(prism, one, 1, steps);
+    for (long k = 0; k < steps; ++k) one = step_taylor16(prism, one, {}, 1);
+    EXPECT_LT((all.state.R_WB - one.state.R_WB).norm(), 1e-11) << steps;
+  }
+}
+
+// A step whose quaternion leaves the numbers must not pass for no turn at all.
+TEST(Methods, RungeKuttaTellsAStepThatLeavesTheNumbers) {
+  State<double> start;
+  start.w_WB = V(0, 0, 1);
+  EXPECT_FALSE(step_rk4(prism, motion_of(prism, start), {}, 1e40).state.R_WB.allFinite());
 }
 
 }  // namespace
