@@ -137,7 +137,7 @@ Manifold box_box(const Cuboid<double>& A, const State<double>& a, const Cuboid<d
   const Pair p(A, a, B, b);
   const Best best = best_axis(p);
   Manifold m;
-  if (!(best.gap < 0)) return m;
+  if (best.axis < 0 || !(best.gap < 0)) return m;  // no axis has a gap where the poses are no numbers
   m.n_AB_W = apply<double>(a.R_WB, best.n_A);
   m.depth = -best.gap;
   m.axis = best.axis;

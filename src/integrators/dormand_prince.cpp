@@ -95,7 +95,7 @@ Outcome<Flown> fly_dormand_prince(const Cuboid<double>& body, const State<double
       last = false;
     }
     h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.2), 0.2, 5.0) : 0.2;
-    if (!last && std::fabs(h) < 0x1p-50 * std::max(std::fabs(t), 1e-3 * std::fabs(span)))
+    if (!last && std::fabs(h) <= 0x1p-50 * std::max(std::fabs(t), 1e-3 * std::fabs(span)))
       return Fault{Fault::Kind::unsupported, "step", "went down to rounding at t = " + std::to_string(t) + " s: the load jumps there or is no number"};
   }
   flown.end = state_of(y);

@@ -414,9 +414,11 @@ TEST(BoxBox, EveryPointIsDeeperThanNothing) {
   EXPECT_GT(four, 20);
 }
 
-TEST(BoxBox, APoseThatIsNoNumberHasNoAxis) {
+TEST(BoxBox, APoseThatIsNoNumberHasNoAxisAndTouchesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(apart(body(V(1, 1, 1)), body(V(1, 1, 1), V(nan, nan, nan))).axis, -1);
+  const Body a = body(V(1, 1, 1)), nowhere = body(V(1, 1, 1), V(nan, nan, nan));
+  EXPECT_EQ(apart(a, nowhere).axis, -1);
+  EXPECT_FALSE(touch(a, nowhere).touches());
 }
 
 }  // namespace

@@ -147,5 +147,12 @@ TEST(DormandPrince, FliesAShortWayInOneStep) {
   EXPECT_EQ(flown->evaluations, 7);
 }
 
+// Over a span whose rounding is nothing, too: the step is then halved down to nothing.
+TEST(DormandPrince, EndsWhereALoadIsNoNumberHoweverShortTheSpan) {
+  const auto flown = fly_dormand_prince(plate, {}, [](double, const State<double>&) { return Load{V(NAN, 0, 0), zero3<double>()}; }, 0, 1e-307, 1e-8);
+  ASSERT_FALSE(flown);
+  EXPECT_EQ(flown.fault().where, "step");
+}
+
 }  // namespace
 }  // namespace rigor
