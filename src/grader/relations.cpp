@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <rigor/grader/relations.hpp>
 #include <set>
 
@@ -61,7 +62,41 @@ double common_factor(const std::vector<Case>& cases) {
 }
 
 // "net force" of "net force, y", "dR/dt" of "dR/dt (1,2)".
-std::string stem(const Component& c) { return c.name.substr(0, c.name.find_last_of(c.name.ends_with(')') ? '(' : ',')); }
+std::string stem(const Component& c) {
+  std::string name = c.name.substr(0, c.name.find_last_of(c.name.ends_with(')') ? '(' : ','));
+  if (name.ends_with(' ')) name.pop_back();
+  return name;
+}
+
+// "the result is 0.3 times the right one, always"
+std::string in_words(const std::string& what, double factor) {
+  char text[96];
+  if (std::fabs(factor) < 1e-6) return what + " is always zero";
+  if (std::fabs(factor + 1) < 1e-4) return what + " has the opposite sign, always";
+  std::snprintf(text, sizeof text, std::fabs(factor - 1) < 1e-3 ? " is %.8g times the right one, always" : " is %.4g times the right one, always", factor);
+  return what + text;
+}
+
+// Some quantities of the answer right on every case, each of the others by a factor of its own.
+std::string factor_of_a_part(const std::vector<Case>& cases) {
+  std::map<std::string, std::vector<Case>> parts;
+  for (const Case& one : cases) {
+    std::map<std::string, Case> split;
+    for (const Component& c : one) split[stem(c)].push_back(c);
+    for (auto& [name, components] : split) parts[name].push_back(std::move(components));
+  }
+  std::string words;
+  bool some_right = false;
+  for (const auto& [name, part] : parts) {
+    const bool right = everywhere(part, [](const Case& one) { return std::all_of(one.begin(), one.end(), [](const Component& c) { return close(c.got, c.want, c.bound); }); });
+    some_right = some_right || right;
+    if (right) continue;
+    const double factor = common_factor(part);
+    if (!std::isfinite(factor)) return "";
+    words += (words.empty() ? "" : "; ") + in_words(name, factor);
+  }
+  return some_right ? words : "";
+}
 
 // Got is want with its components at other places, `from[k]` within each group of `size` with one stem.
 bool rearranged(const std::vector<Case>& cases, const std::vector<std::size_t>& from) {
@@ -96,6 +131,9 @@ std::string shifted(const std::vector<Case>& cases) {
     const double by = first.got - first.want;
     if (!everywhere(cases, [&](const Case& one) { return close(one[k].got, one[k].want + by, 2 * one[k].bound); })) return "";
     if (close(by, 0, 20 * first.bound)) continue;
+    // an answer that is the same on every case (saturated, say) differs from the right one by no constant
+    const bool varies = std::any_of(cases.begin(), cases.end(), [&](const Case& one) { return !close(one[k].got, first.got, 20 * first.bound); });
+    if (!varies) return "";
     char text[160];
     std::snprintf(text, sizeof text, "%s%s by %.4g %s", which.empty() ? "" : ", ", first.name.c_str(), by, first.unit.c_str());
     which += text;
@@ -106,44 +144,81 @@ std::string shifted(const std::vector<Case>& cases) {
 // Wrong in components of one axis only, which come in triples "..., x" "..., y" "..., z".
 std::string one_axis(const std::vector<Case>& cases) {
   std::set<char> wrong;
+  bool reversed = true;
   for (const Case& one : cases)
     for (const Component& c : one) {
       const bool vector = c.name.size() > 3 && c.name.compare(c.name.size() - 3, 2, ", ") == 0;
       if (close(c.got, c.want, c.bound)) continue;
       if (!vector) return "";
       wrong.insert(c.name.back());
+      reversed = reversed && close(c.got, -c.want, c.bound);
     }
   if (wrong.size() != 1) return "";
-  return std::string("only the ") + *wrong.begin() + " component is wrong, always";
+  const std::string axis(1, *wrong.begin());
+  return reversed ? "the " + axis + " component has the opposite sign, always" : "only the " + axis + " component is wrong, always";
 }
 
-// update() is asked with h, h/2, h/4: the change of one step must go with h.
-std::string power_of_dt(const Check& check, const std::vector<Record>& records) {
-  if (check.function != StudentFunction::update || records.empty() || records.front().replies.size() != 3) return "";
-  const auto change = [&](const Record& r, std::size_t k, int what) {
-    const BodyRecord before = record(r.inputs.A), after = r.replies[k].A;
-    double sum = 0;
-    const auto add = [&](const double* a, const double* b, int n) {
-      for (int i = 0; i < n; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    };
-    if (what == 0) add(after.velocity, before.velocity, 3);
-    if (what == 1) add(after.position, before.position, 3);
-    if (what == 2) add(after.spin, before.spin, 3);
-    if (what == 3) add(after.rotation, before.rotation, 9);
-    return std::sqrt(sum);
-  };
-  static const char* const names[] = {"velocity", "position", "angular velocity", "rotation"};
-  for (int what = 0; what < 4; ++what)
-    for (const int power : {0, 2}) {
-      const bool holds = std::all_of(records.begin(), records.end(), [&](const Record& r) {
-        if (r.replies.size() != 3) return false;
-        const double a = change(r, 0, what), b = change(r, 1, what), c = change(r, 2, what);
-        return b > 1e-12 && c > 1e-12 && std::fabs(std::log2(a / b) - power) < 0.05 && std::fabs(std::log2(b / c) - power) < 0.05;
-      });
-      if (holds)
-        return std::string("in one step the ") + names[what] + (power == 0 ? " changes by the same whatever dt is: dt is missing" : " changes with dt squared: wrong by the order of dt");
-    }
-  return "";
+// What a limit is taken of, and how far one step moves it.
+struct Quantity {
+  const char *limit, *name;
+  double (*size)(const BodyRecord&);
+  double (*distance)(const BodyRecord&, const BodyRecord&);
+};
+double apart(const double* a, const double* b, int n) {
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+constexpr double nothing[9] = {};
+const Quantity quantities[] = {
+    {"dv/dt", "velocity", [](const BodyRecord& b) { return apart(b.velocity, nothing, 3); }, [](const BodyRecord& a, const BodyRecord& b) { return apart(a.velocity, b.velocity, 3); }},
+    {"dx/dt", "position", [](const BodyRecord& b) { return apart(b.position, nothing, 3); }, [](const BodyRecord& a, const BodyRecord& b) { return apart(a.position, b.position, 3); }},
+    {"dw/dt", "angular velocity", [](const BodyRecord& b) { return apart(b.spin, nothing, 3); }, [](const BodyRecord& a, const BodyRecord& b) { return apart(a.spin, b.spin, 3); }},
+    {"dR/dt", "rotation", [](const BodyRecord& b) { return apart(b.rotation, nothing, 9); }, [](const BodyRecord& a, const BodyRecord& b) { return apart(a.rotation, b.rotation, 9); }},
+};
+
+// The quantities whose limit a check looks at, asked for with steps h, h/2, h/4; none for other checks.
+std::vector<Quantity> limits_of(const Check& check, const std::vector<Record>& records, const std::vector<Case>& cases) {
+  std::vector<Quantity> list;
+  if (check.function != StudentFunction::update || records.front().replies.size() != 3) return list;
+  for (const Quantity& q : quantities)
+    if (std::any_of(cases.front().begin(), cases.front().end(), [&](const Component& c) { return stem(c) == q.limit; })) list.push_back(q);
+  return list;
+}
+
+// The change of one step goes with dt to this power, on every case.
+bool goes_with(int power, const Quantity& q, const std::vector<Record>& records, double tolerance) {
+  return std::all_of(records.begin(), records.end(), [&](const Record& r) {
+    const BodyRecord before = record(r.inputs.A);
+    const double a = q.distance(r.replies[0].A, before), b = q.distance(r.replies[1].A, before), c = q.distance(r.replies[2].A, before);
+    return b > 1e-12 && c > 1e-12 && std::fabs(std::log2(a / b) - power) < tolerance && std::fabs(std::log2(b / c) - power) < tolerance;
+  });
+}
+bool stays(const Quantity& q, const std::vector<Record>& records) {
+  return std::all_of(records.begin(), records.end(), [&](const Record& r) {
+    return std::all_of(r.replies.begin(), r.replies.end(), [&](const Reply& reply) { return q.distance(reply.A, record(r.inputs.A)) <= 1e-12; });
+  });
+}
+// A change can be told from the answer only where the answer still shows what was there before: not where it is zero, the
+// same whatever is given, or so large that what was there is lost in it.
+bool tells_a_change(const Quantity& q, const std::vector<Record>& records) {
+  const BodyRecord first = records.front().replies[0].A;
+  bool varies = false;
+  for (const Record& r : records) {
+    const BodyRecord after = r.replies[0].A;
+    if (!(q.size(after) > 0) || !(q.size(after) <= 1e6 * (1 + q.size(record(r.inputs.A))))) return false;
+    varies = varies || q.distance(after, first) > 1e-3 * q.size(first);
+  }
+  return varies;
+}
+
+// What of an answer goes with another power of dt than the first.
+std::string power_of_dt(const std::vector<Quantity>& limits, const std::vector<Record>& records) {
+  std::string words;
+  for (const auto& [power, says] : {std::pair{0, " changes by the same whatever dt is"}, {2, " changes with dt squared: wrong by the order of dt"}})
+    for (const Quantity& q : limits)
+      if (goes_with(power, q, records, 0.05) && tells_a_change(q, records)) words += (words.empty() ? "in one step the " : "; the ") + std::string(q.name) + says;
+  return words;
 }
 
 }  // namespace
@@ -151,15 +226,14 @@ std::string power_of_dt(const Check& check, const std::vector<Record>& records) 
 std::string relation(const Check& check, const std::vector<Record>& records) {
   const std::vector<Case> cases = table(check, records);
   if (cases.empty()) return "";
+  const std::vector<Quantity> limits = limits_of(check, records, cases);
+  if (const std::string words = power_of_dt(limits, records); !words.empty()) return words;
+  // a number extrapolated from steps says nothing where the change does not go with dt
+  for (const Quantity& q : limits)
+    if (!goes_with(1, q, records, 0.2) && !stays(q, records)) return "";
   if (unchanged(check, records, cases)) return "the result is the unchanged input, always";
-  if (const double factor = common_factor(cases); std::isfinite(factor)) {
-    char text[96];
-    if (std::fabs(factor) < 1e-6) return "the result is always zero";
-    if (std::fabs(factor + 1) < 1e-4) return "the result has the opposite sign, always";
-    std::snprintf(text, sizeof text, std::fabs(factor - 1) < 1e-3 ? "the result is %.8g times the right one, always" : "the result is %.4g times the right one, always", factor);
-    return text;
-  }
-  for (const std::string& words : {exchanged(cases), shifted(cases), one_axis(cases), power_of_dt(check, records)})
+  if (const double factor = common_factor(cases); std::isfinite(factor)) return in_words("the result", factor);
+  for (const std::string& words : {exchanged(cases), shifted(cases), one_axis(cases), factor_of_a_part(cases)})
     if (!words.empty()) return words;
   return "";
 }

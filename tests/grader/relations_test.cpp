@@ -68,8 +68,48 @@ TEST(Relations, AnotherPowerOfDt) {
       for (int i = 0; i < 3; ++i) r.A.velocity[i] = q.A.velocity[i] + std::pow(q.h, power) * q.A.net_force[i] * q.A.net_force[i];
     };
   };
-  EXPECT_EQ(seen("update.linear", move(0)), "in one step the velocity changes by the same whatever dt is: dt is missing");
+  EXPECT_EQ(seen("update.linear", move(0)), "in one step the velocity changes by the same whatever dt is");
   EXPECT_EQ(seen("update.linear", move(2)), "in one step the velocity changes with dt squared: wrong by the order of dt");
+}
+// A step of 1/60 s whatever dt is: the factor that extrapolation makes of it, 29.87, is none of the student's.
+TEST(Relations, AFixedStepIsNoFactor) {
+  const auto fixed = [](const Request& q, Reply& r) {
+    Request at = q;
+    at.h = 1.0 / 60;
+    r = model_answer({}, {0.5, 0.5, 0.5, at.h}, at);
+  };
+  EXPECT_EQ(seen("update.torque", fixed), "in one step the angular velocity changes by the same whatever dt is");
+  EXPECT_EQ(seen("update.linear", fixed), "in one step the velocity changes by the same whatever dt is; the position changes by the same whatever dt is");
+  EXPECT_EQ(seen("update.rotation", fixed), "in one step the rotation changes by the same whatever dt is");
+}
+// dt squared leaves a limit of zero, and yet the answer is neither zero nor the input.
+TEST(Relations, DtSquaredIsNotNothing) {
+  EXPECT_EQ(seen("update.torque", [](const Request& q, Reply& r) { for (int i = 0; i < 3; ++i) r.A.spin[i] *= q.h; }),
+            "in one step the angular velocity changes with dt squared: wrong by the order of dt");
+}
+// Zero, saturated or overflowing, as where a variable is not initialised: the same at every dt, but dt is not what is missing.
+TEST(Relations, NoneOfAnswersThatShowNoChange) {
+  for (const double value : {0.0, 1e-310, 25.0, 1e12, 1e300, double(INFINITY)})
+    for (const char* check : {"update.linear", "update.gyroscopic", "update.torque", "update.rotation"}) {
+      const std::string words = seen(check, [&](const Request&, Reply& r) {
+        for (double& x : r.A.velocity) x = value;
+        for (double& x : r.A.spin) x = value;
+        for (double& x : r.A.rotation) x = value;
+      });
+      // at rest without a spin a spin of zero is the unchanged input
+      if (value < 1e-300 && check == std::string("update.torque")) EXPECT_EQ(words, "the result is the unchanged input, always");
+      else EXPECT_EQ(words, "") << check << ' ' << value;
+    }
+  // of the case, and yet nothing is left in it of what was there
+  EXPECT_EQ(seen("update.gyroscopic", [](const Request& q, Reply& r) { for (int i = 0; i < 3; ++i) r.A.spin[i] = 1e200 * q.A.mass; }), "");
+  EXPECT_EQ(seen("force.sum", [](const Request&, Reply& r) { for (double& x : r.A.net_force) x = 1e300; }), "");
+}
+TEST(Relations, AnAxisWithTheOppositeSign) {
+  EXPECT_EQ(seen("force.torque", [](const Request&, Reply& r) { r.A.net_torque[1] = -r.A.net_torque[1]; }), "the y component has the opposite sign, always");
+}
+TEST(Relations, AFactorOfOneQuantity) {
+  EXPECT_EQ(seen("update.linear", [](const Request& q, Reply& r) { for (int i = 0; i < 3; ++i) r.A.velocity[i] = (r.A.velocity[i] + q.A.velocity[i]) / 2; }),
+            "dv/dt is 0.5 times the right one, always");
 }
 // A mistake of no such form: nothing is invented.
 TEST(Relations, NoneWhereThereIsNone) {
