@@ -62,6 +62,10 @@ struct Check {
   std::function<bool(const Scenario&)> sound = [](const Scenario&) { return true; };  ///< inputs mean what they should
   /// Re-derives what follows from other numbers (the position from the corner in contact), for the shrinker.
   std::function<void(Scenario&)> renew = [](Scenario&) {};
+  /// Checks of what this one takes for granted. Where one of them failed, given() is what judges a case that judge() does
+  /// not pass: by the answer's own value of it (the size of its normal impulse, its push-out). A wrong law is paid for once.
+  std::vector<std::string> follows = {};
+  std::function<Judgement(const Scenario&, const std::vector<Reply>&, bool own)> given = nullptr;
   int cases = 0;  ///< how many, where the rubric's number would take too long; 0: as the rubric says
 };
 

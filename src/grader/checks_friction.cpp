@@ -1,3 +1,4 @@
+#include <optional>
 #include <rigor/formulas/effective_mass.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/grader/check.hpp>
@@ -74,10 +75,11 @@ struct Aligned {
   Vec3<double> arm, t;      // t: eigenvector of K, unit, tangential
   double j_n, k_tt;         // normal impulse; effective inverse mass along t
 };
-Aligned aligned(const Scenario& s, const Reply* own = nullptr) {
+// `shift`: of the contact along n, m.
+Aligned aligned(const Scenario& s, double shift = 0) {
   Aligned a;
-  a.arm = corner_W(s.A, s.variant);
-  const ImpactBody<double> body = impact_body(s.A, a.arm, own ? own->A_helpers.world_inverse_inertia : nullptr);
+  a.arm = corner_W(s.A, s.variant) + shift * s.normal;
+  const ImpactBody<double> body = impact_body(s.A, a.arm);
   const double v_n = dot<double>(point_velocity<double>(s.A.velocity, s.A.spin, a.arm), s.normal);
   a.j_n = -v_n / normal_inverse_mass<double>({}, body, s.normal);
   const Mat3<double> K = effective_inverse_mass<double>({}, body);
@@ -116,8 +118,7 @@ Request with_slip(const Scenario& s, double slip) {
   return request(Function::plane_response, at);
 }
 // What must hold for any law: the impulse read off the velocity also explains the spin.
-void judge_impulse(Judgement& j, const Scenario& s, const Reply& r, double slip, double want, const std::string& when) {
-  const Aligned a = aligned(s);
+void judge_impulse(Judgement& j, const Scenario& s, const Aligned& a, const Reply& r, double slip, double want, const std::string& when) {
   const Vec3<double> before = s.A.velocity + slip * a.t, J = s.A.mass * (vec(r.A.velocity) - before);
   const Vec3<double> turn = apply<double>(s.A.world_inverse(), cross<double>(a.arm, J));
   const double bound = tight * s.A.mass * (norm<double>(before) + std::fabs(slip));
@@ -134,24 +135,23 @@ double slide_speed(const Scenario& s) {
 std::vector<Call> ask_slide(const Scenario& s) { return {{s.constants, with_slip(s, slide_speed(s))}}; }
 Judgement judge_slide(const Scenario& s, const std::vector<Reply>& r, bool) {
   Judgement j;
-  judge_impulse(j, s, r[0], slide_speed(s), s.constants.dynamic_friction * aligned(s).j_n, "");
+  const Aligned a = aligned(s);
+  judge_impulse(j, s, a, r[0], slide_speed(s), s.constants.dynamic_friction * a.j_n, "");
   return j;
 }
 
 // Three forms of sticking are right: m v_t (the sheet's), v_t/k_tt (the effective mass), and none (the rule read literally).
 enum class Form { short_form, effective, literal, unknown };
 double stick_speed(const Scenario& s) { return 0.3 * s.constants.static_friction * aligned(s).j_n / s.A.mass; }
-double impulse_of(Form form, const Scenario& s, double slip) {
-  const Aligned a = aligned(s);
+double impulse_of(Form form, const Scenario& s, const Aligned& a, double slip) {
   const double stop = form == Form::effective ? slip / a.k_tt : s.A.mass * slip;
   if (form == Form::literal || stop > s.constants.static_friction * a.j_n) return s.constants.dynamic_friction * a.j_n;
   return stop;
 }
-Form form_seen(const Scenario& s, const Reply& r, double slip) {
-  const Aligned a = aligned(s);
+Form form_seen(const Scenario& s, const Aligned& a, const Reply& r, double slip) {
   const double got = -s.A.mass * dot<double>(Vec3<double>(vec(r.A.velocity) - s.A.velocity - slip * a.t), a.t);
   for (const Form form : {Form::short_form, Form::effective, Form::literal})
-    if (std::fabs(got - impulse_of(form, s, slip)) <= tight * s.A.mass * (norm<double>(s.A.velocity) + slip)) return form;
+    if (std::fabs(got - impulse_of(form, s, a, slip)) <= tight * s.A.mass * (norm<double>(s.A.velocity) + slip)) return form;
   return Form::unknown;
 }
 std::string note_of(Form form) {
@@ -163,10 +163,11 @@ std::string note_of(Form form) {
 std::vector<Call> ask_stick(const Scenario& s) { return {{s.constants, with_slip(s, stick_speed(s))}}; }
 Judgement judge_stick(const Scenario& s, const std::vector<Reply>& r, bool) {
   const double slip = stick_speed(s);
-  const Form form = form_seen(s, r[0], slip);
+  const Aligned a = aligned(s);
+  const Form form = form_seen(s, a, r[0], slip);
   Judgement j;
   j.note = note_of(form);
-  judge_impulse(j, s, r[0], slip, impulse_of(form, s, slip), "");
+  judge_impulse(j, s, a, r[0], slip, impulse_of(form, s, a, slip), "");
   return j;
 }
 
@@ -183,13 +184,35 @@ std::vector<Call> ask_limit(const Scenario& s) {
 }
 Judgement judge_limit(const Scenario& s, const std::vector<Reply>& r, bool) {
   const std::vector<double> slips = limit_speeds(s);
-  const Form form = form_seen(s, r[0], slips[0]);
+  const Aligned a = aligned(s);
+  const Form form = form_seen(s, a, r[0], slips[0]);
   const std::size_t first = form == Form::effective ? 3 : 1;
   Judgement j;
   j.note = note_of(form);
-  judge_impulse(j, s, r[first], slips[first], impulse_of(form, s, slips[first]), " at 0.8 of the limit");
-  judge_impulse(j, s, r[first + 1], slips[first + 1], impulse_of(form, s, slips[first + 1]), " at 1.25 of the limit");
+  judge_impulse(j, s, a, r[first], slips[first], impulse_of(form, s, a, slips[first]), " at 0.8 of the limit");
+  judge_impulse(j, s, a, r[first + 1], slips[first + 1], impulse_of(form, s, a, slips[first + 1]), " at 1.25 of the limit");
   return j;
+}
+
+// The law of friction by the answer's own normal impulse, and its own contact point: the corner where it is now, where it
+// was before the push-out (the body has moved since), or on the plane. All answers of a case by one form and one point.
+Judgement judge_own_contact(const Scenario& s, const std::vector<Reply>& r, const std::vector<double>& slips) {
+  const double pushed = dot<double>(Vec3<double>(vec(r[0].A.position) - s.A.position), s.normal);
+  const double depth = depths(s.A, s.plane_point, s.normal).deepest;
+  std::optional<Judgement> best;
+  for (const double shift : {0.0, -pushed, depth - pushed})
+    for (const Form form : {Form::short_form, Form::effective, Form::literal}) {
+      Judgement j;
+      for (std::size_t k = 0; k < r.size(); ++k) {
+        Aligned a = aligned(s, shift);
+        const double right = a.j_n;
+        a.j_n = s.A.mass * dot<double>(Vec3<double>(vec(r[k].A.velocity) - s.A.velocity), s.normal);  // the slip is across n
+        judge_impulse(j, s, a, r[k], slips[k], impulse_of(form, s, a, slips[k]), "");
+        j.add_happened("along the normal", a.j_n > 0.01 * right);
+      }
+      if (!best || j.ratio() < best->ratio()) best = j;
+    }
+  return *best;
 }
 
 }  // namespace
@@ -208,16 +231,20 @@ std::vector<Check> friction_checks() {
        {"tangent.no-fallback", "tangent.not-normalised", "tangent.not-projected"}, draw_resting, ask_tangent, judge_direction},
       {"tangent.zero", group, tangent, "friction.tangent", "without slip and force: the zero vector", 1, {}, draw_nothing, ask_zero, judge_zero},
       {"plane.friction-slide", group, plane, "friction.sheet", "fast slip: friction is mu_d times the normal impulse, against the slip", 3,
-       {"friction.missing", "friction.reversed", "friction.unlimited", "friction.mu-swapped", "friction.no-turn",
+       {"friction.missing", "friction.reversed", "friction.unlimited", "friction.mu-swapped", "friction.no-turn", "friction.spin-only",
         "friction.bare-coefficients", "friction.not-over-mass"},
        drawn(0.6), ask_slide, judge_slide},
       {"plane.friction-stick", group, plane, "friction.sheet", "slow slip: friction stops it (m v_t, or v_t over the tangential inverse mass)", 3,
-       {"friction.missing", "friction.reversed", "friction.no-turn"}, drawn(0.5), ask_stick, judge_stick},
+       {"friction.missing", "friction.reversed", "friction.no-turn", "friction.spin-only"}, drawn(0.5), ask_stick, judge_stick},
       {"plane.friction-limit", group, plane, "friction.sheet", "it sticks up to mu_s times the normal impulse and slides beyond", 2,
-       {"friction.unlimited", "friction.mu-swapped", "friction.bare-coefficients", "friction.missing"}, drawn(0.5), ask_limit, judge_limit},
+       {"friction.unlimited", "friction.mu-swapped", "friction.bare-coefficients", "friction.missing", "friction.contact-before-push"}, drawn(0.5), ask_limit, judge_limit},
   };
   list[0].sound = list[1].sound = clear_tangent;
+  list[3].given = [](const Scenario& s, const std::vector<Reply>& r, bool) { return judge_own_contact(s, r, {slide_speed(s)}); };
+  list[4].given = [](const Scenario& s, const std::vector<Reply>& r, bool) { return judge_own_contact(s, r, {stick_speed(s)}); };
+  list[5].given = [](const Scenario& s, const std::vector<Reply>& r, bool) { return judge_own_contact(s, r, limit_speeds(s)); };
   for (const std::size_t k : {3u, 4u, 5u}) {
+    list[k].follows = {"plane.correction", "plane.impulse"};
     list[k].sound = clear_of_others;
     list[k].renew = [](Scenario& s) {
       const Vec3<double> arm = corner_W(s.A, s.variant);

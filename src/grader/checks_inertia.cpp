@@ -35,6 +35,12 @@ Judgement judge_inverse(const Scenario& s, const std::vector<Reply>& r, bool own
   // the identity is what a constructor leaves, not a tensor of the submission's own
   if (own && given.diagonal().cwiseAbs().minCoeff() > 0 && given != identity3<double>()) want = diagonal(given.diagonal().cwiseInverse());
   Judgement j;
+  // a tensor of zero (1/12 in whole numbers) has no inverse: what is not finite was made from it
+  if (own && given == Mat3<double>(Mat3<double>::Zero())) {
+    const Vec3<double> diagonal = mat(r[0].A.body_inverse_inertia).diagonal();
+    j.add("inverse of the submission's own zero (1: not finite)", "1", (diagonal - diagonal).array().isNaN().all() ? 1 : 0, 1, 0.5);
+    return j;
+  }
   j.add("inverse body tensor", "1/(kg m^2)", mat(r[0].A.body_inverse_inertia), want, tight * want.cwiseAbs().maxCoeff());
   return j;
 }
@@ -72,7 +78,7 @@ std::vector<Check> inertia_checks() {
       {"moi.world-inverse", "Inertia", StudentFunction::world_inverse_inertia, "inertia.world_inverse",
        "the inverse world tensor is R I^-1 R^T", 4,
        {"world-inverse.transposed", "world-inverse.no-right-factor", "world-inverse.no-left-factor", "world-inverse.body",
-        "world-inverse.tensor-instead", "world-inverse.elementwise"},
+        "world-inverse.tensor-instead", "world-inverse.elementwise", "world-inverse.of-diagonal"},
        turned, ask_inverse, judge_world_inverse},
       {"moi.world-inverse-upright", "Inertia", StudentFunction::world_inverse_inertia, "inertia.world_inverse",
        "for R = 1 the inverse world tensor is the inverse body tensor", 1, {"world-inverse.tensor-instead"}, upright,

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <rigor/grader/check.hpp>
 #include <rigor/grader/contacts.hpp>
+#include <rigor/grader/misconceptions.hpp>
 
 namespace rigor::grader {
 namespace {
@@ -130,6 +132,17 @@ Judgement judge_correction(const Scenario& s, const std::vector<Reply>& r, bool)
   j.add("left behind the plane", "m", std::fmax(0.0, before.deepest - along), 0, 1e-6);
   j.add("moved along the plane", "m", norm<double>(Vec3<double>(moved - along * s.normal)), 0, 1e-6 * size);
   j.add("moved out further than needed", "m", std::fmax(0.0, along - most), 0, 1e-6 * size);
+  if (before.sum > before.deepest + 1e-3 * size && std::fabs(along - before.sum) <= 1e-6 * size) j.note = find_misconception("correction-each-corner")->text;
+  return j;
+}
+
+// However far, it is pushed out of the plane and along the normal only.
+Judgement judge_direction(const Scenario& s, const std::vector<Reply>& r, bool) {
+  const Vec3<double> moved = vec(r[0].A.position) - s.A.position;
+  const double along = dot<double>(moved, s.normal), size = norm<double>(s.A.size);
+  Judgement j;
+  j.add("moved along the plane", "m", norm<double>(Vec3<double>(moved - along * s.normal)), 0, 1e-6 * size);
+  j.add_happened("to the depth", along > 0.1 * depths(s.A, s.plane_point, s.normal).deepest);
   return j;
 }
 
@@ -175,11 +188,11 @@ std::vector<Check> plane_checks() {
       {"plane.ignores-clear", group, plane, "impulse.normal", "a cuboid clear of the plane is left alone", 1,
        {"plane.no-collision-test"}, draw_clear, ask_clear, judge_clear},
       {"plane.correction", group, plane, "contact.correction", "afterwards no corner is behind the floor; the body moved along the normal only", 2,
-       {"plane.correction-missing", "plane.correction-doubled", "plane.correction-inwards"}, deep(Deep::floor), ask, judge_correction},
+       {"plane.correction-missing", "plane.correction-half", "plane.correction-doubled", "plane.correction-inwards"}, deep(Deep::floor), ask, judge_correction},
       {"plane.any-orientation", group, plane, "contact.correction", "the same for walls, ceilings and skew planes anywhere", 2,
        {"plane.correction-missing", "plane.correction-inwards"}, deep(Deep::any_plane), ask, judge_correction},
       {"plane.correction-several", group, plane, "contact.correction", "the same with several corners behind the plane, at different depths", 1,
-       {"plane.correction-missing", "plane.correction-mean"}, deep(Deep::several_corners), ask, judge_correction},
+       {"plane.correction-missing", "plane.correction-half", "plane.correction-mean"}, deep(Deep::several_corners), ask, judge_correction},
       {"plane.restitution", group, plane, "impulse.normal", "the contact leaves with e times the speed it came with", 3,
        {"plane.printed-restitution", "plane.restitution-ignored", "plane.restitution-one", "plane.normal-sign", "plane.not-over-mass"},
        bounce, ask, judge_restitution},
@@ -198,7 +211,8 @@ std::vector<Check> plane_checks() {
          return j;
        }},
   };
-  for (Check& check : list)
+  for (Check& check : list) {
+    if (check.id == "plane.any-orientation") check.follows = {"plane.correction"}, check.given = judge_direction;
     if (check.id == "plane.restitution" || check.id.rfind("plane.impulse", 0) == 0) {
       check.sound = one_corner;
       check.renew = [](Scenario& s) {
@@ -206,6 +220,7 @@ std::vector<Check> plane_checks() {
         s.point = s.A.position + corner_W(s.A, s.variant);
       };
     }
+  }
   return list;
 }
 

@@ -78,10 +78,12 @@ class Patience {
 
 class Trial {
  public:
-  // `inertia_failed`: an inertia function was found wrong, so what calls it may follow from that.
-  // `deaths_allowed`: three, or one where the same function has died three times in an earlier check.
-  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, const Patience& patience, bool inertia_failed, int deaths_allowed)
-      : student_(student), check_(check), patience_(patience), rubric_(rubric), selection_(selection), deaths_allowed_(deaths_allowed), follows_(check.carries && inertia_failed) {
+  // `inertia_failed`: an inertia function was found wrong, so what calls it may follow from that. `failed`: the checks
+  // that failed so far. `deaths_allowed`: three, or one where the same function has died three times in an earlier check.
+  Trial(const Student& student, const Check& check, const Rubric& rubric, const Selection& selection, const Patience& patience, bool inertia_failed,
+        const std::set<std::string>& failed, int deaths_allowed)
+      : student_(student), check_(check), patience_(patience), rubric_(rubric), selection_(selection), deaths_allowed_(deaths_allowed), own_(check.carries && inertia_failed), follows_(own_) {
+    std::copy_if(check.follows.begin(), check.follows.end(), std::back_inserter(given_), [&](const std::string& id) { return failed.count(id) != 0; });
     result_.check = &check;
     result_.max_points = rubric.points_of(check);
   }
@@ -125,6 +127,7 @@ class Trial {
     if (!(ratio <= 1)) {
       if (failed_at_ < 0) failed_at_ = number;
       follows_ = follows_ && ratio_of(check_, s, run.replies, true, rubric_.tolerance_of(check_)) <= 1;
+      if (!given_.empty() && !(check_.given(s, run.replies, own_).ratio() <= rubric_.tolerance_of(check_))) given_.clear();
     }
     records_.push_back({s, std::move(run.replies)});
   }
@@ -147,6 +150,9 @@ class Trial {
     } else if (follows_) {
       result_.verdict = Verdict::pass;
       result_.notes.push_back("right given the submission's own inertia functions, which are charged for on their own");
+    } else if (!given_.empty()) {
+      result_.verdict = Verdict::pass;
+      result_.notes.push_back("right given what fails in " + given_.front() + ", which is charged for there");
     } else {
       result_.verdict = Verdict::fail;
       show(failed_at_, [&](const Scenario& s) {
@@ -190,7 +196,9 @@ class Trial {
   std::vector<Record> records_;
   std::optional<Death> worst_death_;
   int deaths_ = 0, died_at_ = 0, failed_at_ = -1;
-  bool follows_;
+  const bool own_;                  // by the submission's own inertia functions, because they are wrong
+  bool follows_;                    // right by them so far
+  std::vector<std::string> given_;  // failed checks that this one follows, while it is right by the answer's own value of them
 };
 
 // What the build already knows about a function. pass: it is there.
@@ -289,6 +297,7 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
   std::vector<std::vector<Record>> records;
   bool inertia_failed = false;
   std::set<StudentFunction> dead;
+  std::set<std::string> failed;
   Patience patience(rubric.limits);
   for (const Check& check : checks()) {
     if (!chosen(selection, check)) continue;
@@ -311,8 +320,9 @@ void judge(const Student& student, const std::array<FunctionStatus, student_func
       patience.count(check.function, call, answer.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       return answer;
     };
-    auto [result, seen] = Trial(watched, check, rubric, selection, patience, inertia_failed, dead.count(check.function) != 0 ? 1 : 3).finish();
+    auto [result, seen] = Trial(watched, check, rubric, selection, patience, inertia_failed, failed, dead.count(check.function) != 0 ? 1 : 3).finish();
     if (result.verdict == Verdict::crash || result.verdict == Verdict::timeout || result.verdict == Verdict::memory) dead.insert(check.function);
+    if (result.verdict == Verdict::fail) failed.insert(check.id);
     inertia_failed = inertia_failed || (check.group == "Inertia" && result.verdict == Verdict::fail);
     if (!seen.empty()) keep_pictures(check, seen.front(), report);
     report.results.push_back(std::move(result));

@@ -56,6 +56,7 @@ M world(const Habits& h, const BodyRecord& b) {
   return world_form(h.world, mat(b.rotation), mat(b.body_inertia), mat(b.body_inverse_inertia));
 }
 M world_inverse(const Habits& h, const BodyRecord& b) {
+  if (h.inverse_of_diagonal) return world(h, b).diagonal().cwiseInverse().asDiagonal();
   if (h.inverse_elementwise) return world(h, b).cwiseInverse();
   return world_form(h.world_inverse, mat(b.rotation), mat(b.body_inverse_inertia), mat(b.body_inertia));
 }
@@ -95,7 +96,7 @@ M turned(const Habits& h, const M& R, const V& w, double dt) {
 }
 
 void update(const Habits& h, const Constants& constants, BodyRecord& b, double delta) {
-  const double dt = h.uses_delta_t ? constants.delta_t : delta;
+  const double dt = h.step_factor * (h.uses_delta_t ? constants.delta_t : delta);
   const auto step = [&](int power) { return std::pow(dt, power); };
   const V v = vec(b.velocity), w = vec(b.spin), tau = vec(b.net_torque);
   const M R = mat(b.rotation);
@@ -165,8 +166,8 @@ double angular_term(const Habits::Impulse& law, const Side& s, const V& n) {
 V contact_velocity(const Habits::Impulse& law, const BodyRecord& b, const V& arm) {
   return vec(b.velocity) + (law.centre_velocity ? zero3<double>() : V(law.spin_sign * vec(b.spin).cross(arm)));
 }
-void push(const Habits::Impulse& law, const Side& s, BodyRecord& b, const V& j, double spin_factor) {
-  put(b.velocity, V(vec(b.velocity) + (law.divides_by_mass ? s.inverse_mass : 1) * j));
+void push(const Habits::Impulse& law, const Side& s, BodyRecord& b, const V& j, double spin_factor, bool moves = true) {
+  if (moves) put(b.velocity, V(vec(b.velocity) + (law.divides_by_mass ? s.inverse_mass : 1) * j));
   put(b.spin, V(vec(b.spin) + spin_factor * law.angular * (s.inverse * s.arm.cross(j))));
 }
 
@@ -196,7 +197,7 @@ void plane_contact(const Habits& h, const Constants& k, BodyRecord& b, const V& 
   const V direction = -h.friction_sign * t;
   Habits::Impulse law = h.plane;
   law.divides_by_mass = h.plane.divides_by_mass && h.friction_over_mass;
-  push(law, s, b, V(j_f * direction), h.friction_turns ? 1 : 0);
+  push(law, s, b, V(j_f * direction), h.friction_turns ? 1 : 0, h.friction_moves);
 }
 
 void plane_response(const Habits& h, const Constants& k, BodyRecord& b, const V& p, const V& n) {
@@ -219,8 +220,9 @@ void plane_response(const Habits& h, const Constants& k, BodyRecord& b, const V&
   }
   if (h.correction == Habits::Correction::none) shift = 0;
   const V along = h.correction == Habits::Correction::along_y ? V(0, 1, 0) : n;
-  put(b.position, V(vec(b.position) + h.correction_factor * shift * along));
-  const V centre = vec(b.position);
+  const V before = vec(b.position);
+  put(b.position, V(before + h.correction_factor * shift * along));
+  const V centre = h.contact_before_push ? before : vec(b.position);
   if (h.corners == Habits::Corners::deepest) return plane_contact(h, k, b, n, V(centre + arms[deepest]));
   if (h.corners == Habits::Corners::mean) {
     V mean = zero3<double>();
@@ -235,7 +237,9 @@ void pair_response(const Habits& h, const Constants& k, BodyRecord& a, BodyRecor
   Side A = side_of(h, h.pair, a, point), B = side_of(h, h.pair, b, point);
   if (h.one_arm) B.arm = A.arm;
   if (h.masses_swapped) std::swap(A.inverse_mass, B.inverse_mass);
-  if (h.tensors_swapped) std::swap(A.inverse, B.inverse);
+  if (h.tensors == Habits::Tensors::swapped) std::swap(A.inverse, B.inverse);
+  if (h.tensors == Habits::Tensors::first) B.inverse = A.inverse;
+  if (h.tensors == Habits::Tensors::second) A.inverse = B.inverse;
   V v_r = contact_velocity(h.pair, b, B.arm) - contact_velocity(h.pair, a, A.arm);
   if (h.relative_reversed) v_r = -v_r;
   const double v_n = v_r.dot(n);

@@ -19,7 +19,7 @@ struct Habits {
 
   // computeWorldCoordsMOI and its inverse
   enum class WorldForm { rirt, rtir, ri, irt, body, other } world = WorldForm::rirt, world_inverse = WorldForm::rirt;
-  bool inverse_elementwise = false;
+  bool inverse_elementwise = false, inverse_of_diagonal = false;
 
   // applyForce
   double force_factor = 1, torque_factor = 1;  // torque −1: F × r
@@ -28,6 +28,7 @@ struct Habits {
   enum class Arm { centre, origin, body, plus_centre } arm = Arm::centre;
 
   // update
+  double step_factor = 1;                      // of delta, everywhere
   double move_factor = 1, turn_factor = 1, accelerate_factor = 1, spin_up_factor = 1;  // 0: not advanced; −1: reversed
   int dt_power_position = 1, dt_power_velocity = 1, dt_power_spin = 1, dt_power_rotation = 1;
   bool mass_in_acceleration = true;
@@ -51,6 +52,7 @@ struct Habits {
   bool tests_collision = true, tests_approach = true;
   enum class Correction { deepest, mean, along_y, none, each_corner } correction = Correction::deepest;
   double correction_factor = 1;
+  bool contact_before_push = false;            // the corner where it was before the push-out, the centre where it is after
   enum class Corners { in_order, reversed, deepest, mean } corners = Corners::in_order;
 
   // the impulse itself, plane and pair
@@ -71,12 +73,13 @@ struct Habits {
   enum class Friction { sheet, literal, effective_mass, coulomb, none, unlimited } friction = Friction::sheet;
   double friction_sign = 1;
   bool friction_before = false;                // slip taken before the normal impulse
-  bool mu_swapped = false, mu_times_impulse = true, friction_turns = true, friction_over_mass = true;
+  bool mu_swapped = false, mu_times_impulse = true, friction_turns = true, friction_moves = true, friction_over_mass = true;
 
   // applyCollisionImpulse only
   bool first_body = true, second_body = true;  // receives its impulse
   bool first_spins = true, second_spins = true;
-  bool masses_swapped = false, one_arm = false, relative_reversed = false, same_direction = false, tensors_swapped = false;
+  bool masses_swapped = false, one_arm = false, relative_reversed = false, same_direction = false;
+  enum class Tensors { own, swapped, first, second } tensors = Tensors::own;  // whose inertia: each its own, ... the first's for both
 
   /// What no habit above expresses: changes the answer of a student who is right otherwise (own.cpp).
   void (*besides)(const Constants&, const Request&, Reply&) = nullptr;

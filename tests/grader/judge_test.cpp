@@ -1,7 +1,9 @@
 // The judge against the model student: no process is started, so a whole class of students costs a second.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <rigor/grader/judge.hpp>
@@ -91,12 +93,86 @@ TEST(Judge, NamesTheReadingItSaw) {
   EXPECT_EQ(notes(judged("friction-literal", 16, 5)).count("literal friction rule: every slip slides"), 1u);
   EXPECT_EQ(notes(judged("tangent-against-slip", 16, 5)).count("tangent against the slip"), 1u);
   EXPECT_EQ(notes(judged("explicit-position+exponential", 16, 5)).count("scheme: explicit-position+exponential"), 1u);
+  EXPECT_EQ(notes(judged("correction-each-corner", 16, 5)).count(find_misconception("correction-each-corner")->text), 1u);
   EXPECT_TRUE(notes(judged("", 16, 5)).empty());
 }
 
 TEST(Judge, ChargesAMistakeOnce) {
   EXPECT_EQ(failing(judged("world-inverse.transposed", 24, 3)), Ids{"moi.world-inverse"});
   EXPECT_EQ(failing(judged("tangent.not-normalised", 24, 3)), (Ids{"tangent.slip", "tangent.force"}));
+}
+
+Report judged_with(const std::function<void(Habits&)>& set, int cases = 24) {
+  Habits habits;
+  set(habits);
+  return judged([habits](const Call& call) { return model(habits, call); }, cases, 3);
+}
+// Relative velocity as the sum of both: what the first body does is turned round before the impulse is found.
+Reply with_summed_velocities(const Call& call, bool spins = true) {
+  Request turned = call.request;
+  for (int i = 0; i < 3; ++i) turned.A.velocity[i] *= -1, turned.A.spin[i] *= -1;
+  Reply r = model_answer({}, call.constants, turned);
+  for (int i = 0; i < 3; ++i) r.A.velocity[i] += 2 * call.request.A.velocity[i], r.A.spin[i] += 2 * call.request.A.spin[i];
+  for (int i = 0; i < 3 && !spins; ++i) r.A.spin[i] = call.request.A.spin[i], r.B.spin[i] = call.request.B.spin[i];
+  return r;
+}
+
+// A mistake that is on no list: what is right given it passes.
+TEST(Judge, ChargesAnUnknownMistakeOnce) {
+  EXPECT_EQ(failing(judged_with([](Habits& h) { h.accelerate_factor = 0.5; })), Ids{"update.linear"});
+  EXPECT_EQ(failing(judged_with([](Habits& h) { h.spin_up_factor = 1.2; })), (Ids{"update.torque", "update.torque-turned", "update.gyroscopic", "update.gyroscopic-turned"}));
+  EXPECT_EQ(failing(judged_with([](Habits& h) { h.correction_factor = 0.3; })), (Ids{"plane.correction", "plane.correction-several"}));
+  EXPECT_EQ(failing(judged_with([](Habits& h) { h.correction_factor = 0.3, h.contact_before_push = true; })), (Ids{"plane.correction", "plane.correction-several"}));
+  EXPECT_EQ(failing(judged_with([](Habits& h) { h.plane.sign = 0.7; })), (Ids{"plane.restitution", "plane.impulse", "plane.impulse-turned"}));
+  const auto pair = [](const Call& call) -> Answer {
+    return call.request.function == std::uint32_t(Function::pair_response) ? with_summed_velocities(call) : model_answer({}, call.constants, call.request);
+  };
+  EXPECT_EQ(failing(judged(pair, 24, 3)), (Ids{"pair.restitution", "pair.impulse", "pair.impulse-turned"}));
+}
+// 1/12 in whole numbers is 0: its inverse is not finite, however it is made, but not left out.
+TEST(Judge, ChargesATensorOfZeroOnce) {
+  const auto student = [](double inverse) {
+    return [inverse](const Call& call) -> Answer {
+      Reply r = model_answer({}, call.constants, call.request);
+      if (call.request.function != std::uint32_t(Function::body_inertia)) return r;
+      for (double& x : r.A.body_inertia) x = 0;
+      for (int i = 0; i < 9; ++i) r.A.body_inverse_inertia[i] = i % 4 == 0 ? inverse : 0;
+      return r;
+    };
+  };
+  for (const double inverse : {double(INFINITY), double(NAN)}) EXPECT_EQ(failing(judged(student(inverse), 24, 3)), Ids{"moi.body"});
+  for (const double inverse : {0.0, 1.0}) EXPECT_EQ(failing(judged(student(inverse), 24, 3)), (Ids{"moi.body", "moi.body-inverse"}));
+}
+// Nothing passes for free: a second mistake beside one that is carried forward fails its own checks.
+TEST(Judge, CarriesNoSecondMistakeForward) {
+  const auto fails = [](const Report& report, const Ids& ids) {
+    const Ids failed = failing(report);
+    return std::includes(failed.begin(), failed.end(), ids.begin(), ids.end());
+  };
+  for (const double factor : {0.0, -1.0}) EXPECT_TRUE(fails(judged_with([=](Habits& h) { h.correction_factor = factor; }), {"plane.any-orientation"})) << factor;
+  EXPECT_TRUE(fails(judged_with([](Habits& h) { h.keep_velocity = 0.99; }), {"update.convergence"}));
+  EXPECT_TRUE(fails(judged_with([](Habits& h) { h.keep_spin = 0.9; }), {"update.convergence"}));
+  EXPECT_TRUE(fails(judged_with([](Habits& h) { h.dt_power_rotation = 2; }), {"update.convergence"}));
+  EXPECT_TRUE(fails(judged_with([](Habits& h) { h.dt_power_velocity = 0; }), {"update.convergence"}));
+  const Ids friction{"plane.friction-limit", "plane.friction-slide", "plane.friction-stick"};
+  for (const auto& set : std::vector<std::function<void(Habits&)>>{[](Habits& h) { h.friction = Habits::Friction::none; }, [](Habits& h) { h.friction_sign = -1; }, [](Habits& h) { h.friction_turns = false; },
+                                                                  [](Habits& h) { h.friction_moves = false; }})
+    for (const double impulse : {0.8, 1.2})
+      for (const double push : {0.3, 0.9})
+        EXPECT_TRUE(fails(judged_with([&](Habits& h) { set(h), h.plane.sign = impulse, h.correction_factor = push; }), friction));
+  EXPECT_TRUE(fails(judged_with([](Habits& h) { h.spin_up_factor = 1.2, h.turn_factor = -1; }), {"update.rotation"}));
+  EXPECT_TRUE(fails(judged([](const Call& call) -> Answer { return call.request.function == std::uint32_t(Function::pair_response) ? with_summed_velocities(call, false) : model_answer({}, call.constants, call.request); }, 24, 3),
+                    {"pair.impulse-turned", "pair.angular-momentum"}));
+}
+
+TEST(Judge, NamesTheSchemeOnlyWhereVelocityAndSpinAreThoseOfOneStep) {
+  for (const double factor : {0.0, 0.5, 2.0}) {
+    const Report report = judged_with([=](Habits& h) { h.accelerate_factor = factor; }, 8);
+    for (const CheckResult& r : report.results)
+      if (r.check->id == "update.order") {
+        EXPECT_TRUE(r.notes.empty()) << r.notes.front();
+      }
+  }
 }
 
 TEST(Judge, NamesTwoMistakesOfOneFunctionTogether) {

@@ -36,8 +36,8 @@ struct Contact {
   double softness(V3D direction) const {
     return 1 / c.mass + V3D(inverse * arm.cross(direction)).cross(arm).dot(direction);
   }
-  void push(V3D impulse, bool overMass, bool turns) {
-    c.applyLinearImpulse(overMass && !habit("plane.not-over-mass") ? V3D(impulse / c.mass) : impulse);
+  void push(V3D impulse, bool overMass, bool turns, bool moves = true) {
+    if (moves) c.applyLinearImpulse(overMass && !habit("plane.not-over-mass") ? V3D(impulse / c.mass) : impulse);
     if (!turns || habit("plane.no-spin")) return;
     const V3D change = inverse * arm.cross(impulse);
     c.applyAngularImpulse(habit("plane.spin-reversed") ? V3D(-change) : change);
@@ -84,7 +84,7 @@ static void bounce(CollisionPlane& plane, V3D normal, Cuboid& c, P3D p) {
   if (habit("friction-literal")) jf = slip > 0 ? muD * unit : 0;
   if (habit("friction.unlimited")) jf = stopping;
   if (habit("friction.reversed")) jf = -jf;
-  contact.push(-jf * along, !habit("friction.not-over-mass"), !habit("friction.no-turn"));
+  contact.push(-jf * along, !habit("friction.not-over-mass"), !habit("friction.no-turn"), !habit("friction.spin-only"));
 }
 
 void CollisionPlane::applyCollisionResponse(Cuboid& c) {
@@ -107,7 +107,9 @@ void CollisionPlane::applyCollisionResponse(Cuboid& c) {
   if (habit("correction-each-corner")) shift = sum;
   if (habit("plane.correction-missing")) shift = 0;
   if (habit("plane.correction-doubled")) shift *= 2;
+  if (habit("plane.correction-half")) shift /= 2;
   if (habit("plane.correction-inwards")) shift = -shift;
+  const P3D centreBefore = c.worldTranslation;
   c.worldTranslation += shift * (habit("plane.correction-along-y") ? V3D(0, 1, 0) : normal);
 
   if (habit("deepest-corner") || habit("plane.no-collision-test")) arms = {arms[deepest]};
@@ -117,5 +119,5 @@ void CollisionPlane::applyCollisionResponse(Cuboid& c) {
     arms = {mean};
   }
   if (habit("corners-reversed")) reverse(arms.begin(), arms.end());
-  for (V3D arm : arms) bounce(*this, normal, c, c.worldTranslation + arm);
+  for (V3D arm : arms) bounce(*this, normal, c, (habit("friction.contact-before-push") ? centreBefore : P3D(c.worldTranslation)) + arm);
 }

@@ -51,6 +51,10 @@ Matrix3x3 Cuboid::computeWorldCoordsInverseMOI() {
   if (habit("world-inverse.no-left-factor")) return bodyCoordsInverseMOI * Rt;
   if (habit("world-inverse.body")) return bodyCoordsInverseMOI;
   if (habit("world-inverse.tensor-instead")) return R * bodyCoordsMOI * Rt;
+  if (habit("world-inverse.of-diagonal")) {
+    const V3D d = computeWorldCoordsMOI().diagonal();
+    return V3D(1 / d[0], 1 / d[1], 1 / d[2]).asDiagonal();
+  }
   if (habit("world-inverse.elementwise")) {
     Matrix3x3 I = computeWorldCoordsMOI();
     for (int i = 0; i < 9; i++) I(i / 3, i % 3) = 1 / I(i / 3, i % 3);
@@ -111,7 +115,8 @@ static Matrix3x3 rotated(const Matrix3x3& R, V3D turn) {
 }
 
 void Cuboid::update(double delta) {
-  const double dt = habit("uses-delta-t") ? DELTA_T : delta;
+  double dt = habit("uses-delta-t") ? DELTA_T : delta;
+  if (habit("update.half-step")) dt = dt / 2;
   const V3D oldV = linearVelocity, oldW = angularVelocity;
 
   V3D acceleration = habit("update.no-mass") ? netForce : V3D(netForce / mass);

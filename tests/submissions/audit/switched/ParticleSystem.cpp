@@ -46,6 +46,8 @@ void ParticleSystem::applyCollisionImpulse(Cuboid& c1, Cuboid& c2, P3D& collisio
   Side one = sideOf(c1, collisionPoint), two = sideOf(c2, collisionPoint);
   if (habit("pair.one-arm")) two.arm = one.arm;
   if (habit("pair.masses-swapped")) swap(one.inverseMass, two.inverseMass);
+  if (habit("pair.first-tensor")) two.inverse = one.inverse;
+  if (habit("pair.second-tensor")) one.inverse = two.inverse;
   if (habit("pair.tensors-swapped")) swap(one.inverse, two.inverse);
 
   double vn = (velocityOf(two) - velocityOf(one)).dot(n);
