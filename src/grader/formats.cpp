@@ -20,7 +20,7 @@ std::string number(double x) {
 
 // What is told of one check, as plain text; how to repeat it is added where the reader can.
 std::string words(const CheckResult& r) {
-  std::string text = r.check->says;
+  std::string text = said_of(r);
   if (!r.words.empty()) text += "\n" + r.words;
   for (const Diagnosis& d : r.diagnosis) text += "\nlikely: " + d.text + " (agrees on " + std::to_string(d.agreements) + " of " + counted(d.cases, "case") + ")";
   for (const std::string& note : r.notes) text += "\nnote: " + note;
@@ -123,7 +123,7 @@ std::string report_autolab(const Report& report) {
       most += r.max_points;
       if (std::string_view(r.visibility) != "visible") continue;
       Json item{{"passed", r.verdict == Verdict::pass}};
-      if (r.verdict != Verdict::pass) item["hint"] = tame(r.diagnosis.empty() ? r.check->says : r.diagnosis.front().text);
+      if (r.verdict != Verdict::pass) item["hint"] = tame(r.diagnosis.empty() ? said_of(r) : r.diagnosis.front().text);
       stage[tame(r.check->id)] = item;
     }
     if (most == 0) continue;  // a part of advice is no problem of Autolab's

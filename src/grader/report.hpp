@@ -95,6 +95,8 @@ bool shown(const Report& report, const CheckResult& result);
 std::string withheld(const Report& report);
 /// "3 cases", "1 case".
 std::string counted(int n, const char* what);
+/// What a check asks for; of one that fails that it must hold, lest "fail" and the law contradict each other.
+std::string said_of(const CheckResult& result);
 /// The number that is wrong by most of what is allowed for it; nullptr where there is no answer.
 const Component* worst(const Counterexample& example);
 /// "rigor grade PATH --rubric R --check ID --case N --seed S"; "./practice --check ID --case N" in the kit; "" where a

@@ -127,6 +127,8 @@ std::string withheld(const Report& report) {
 
 std::string counted(int n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
+std::string said_of(const CheckResult& r) { return (r.verdict == Verdict::fail && r.max_points > 0 ? "must hold: " : "") + r.check->says; }
+
 const Component* worst(const Counterexample& e) {
   const Component* most = nullptr;
   double ratio = -1;

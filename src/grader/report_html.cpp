@@ -61,7 +61,7 @@ std::string counterexample(const Report& report, const CheckResult& r) {
 std::string one(const Report& report, const CheckResult& r, std::map<std::string, std::string>& said) {
   const bool passed = r.verdict == Verdict::pass;
   std::string html = "<details id=\"" + escape(r.check->id) + "\"" + (passed || r.max_points == 0 ? "" : " open") + "><summary><span class=\"badge " + css_class(r) + "\">" + escape(word(r)) +
-                     "</span> <strong>" + escape(r.check->id) + "</strong> <span class=\"says\">" + escape(r.check->says) + "</span> <span class=\"soft\">" +
+                     "</span> <strong>" + escape(r.check->id) + "</strong> <span class=\"says\">" + escape(said_of(r)) + "</span> <span class=\"soft\">" +
                      (r.max_points > 0 ? brief(r.points) + " of " + brief(r.max_points) : "no points") + "</span></summary><div class=\"card\">\n" +
                      "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">" + rigor::report::formula_html(r.check->formula) + "</div><p class=\"soft\">" + escape(student_function_name(r.check->function)) + "; derivation: <code>rigor explain " +
                      escape(r.check->formula) + "</code></p>\n";

@@ -55,9 +55,25 @@ class Text {
 };
 
 void add_component(Text& t, const Component& c) {
-  char line[200];
-  std::snprintf(line, sizeof line, "        %-14.7g %-14.7g %-9.3g %s [%s]\n", c.got, c.want, c.bound == 0 ? INFINITY : std::fabs(c.got - c.want) / c.bound, c.name.c_str(), c.unit.c_str());
-  t.out += line;
+  char numbers[120];
+  const int width = std::snprintf(numbers, sizeof numbers, "        %-14.7g %-14.7g %-9.3g ", c.got, c.want, c.bound == 0 ? INFINITY : std::fabs(c.got - c.want) / c.bound);
+  const std::size_t start = t.out.size();
+  t.wrap(c.name + " [" + c.unit + "]", std::string(std::size_t(width), ' '));
+  t.out.replace(start, std::size_t(width), numbers);
+}
+
+// A command that is too long for 80 columns goes on in lines of its own, as a shell takes it.
+void add_command(Text& t, const std::string& before, const std::string& command) {
+  std::string line = before;
+  for (std::size_t begin = 0; begin < command.size();) {
+    const std::size_t end = std::min(command.find(" --", begin + 1), command.size());
+    const std::string word = command.substr(begin, end - begin);  // "rigor grade PATH", " --check ID"
+    const std::size_t room = end == command.size() ? 80 : 78;
+    if (begin > 0 && line.size() + word.size() > room) t.out += line + " \\\n", line = std::string(9, ' ');
+    line += word;
+    begin = end;
+  }
+  t.out += line + "\n";
 }
 
 void add_counterexample(Text& t, const Report& report, const CheckResult& r) {
@@ -72,7 +88,7 @@ void add_counterexample(Text& t, const Report& report, const CheckResult& r) {
   if (!wrong.empty()) t.out += "        got            want           error/bound\n";
   for (std::size_t i = 0; i < wrong.size() && i < 6; ++i) add_component(t, *wrong[i]);
   if (wrong.size() > 6) t.out += "        ... and " + std::to_string(wrong.size() - 6) + " more\n";
-  if (const std::string command = replay_command(report, r); !command.empty()) t.out += "      replay: " + plain(command) + "\n";
+  if (const std::string command = replay_command(report, r); !command.empty()) add_command(t, "      replay: ", plain(command));
 }
 
 // "compiler: nobody, bubblewrap, system calls filtered, limits"; report.json and the page have the layers in full.
@@ -113,7 +129,7 @@ void add_result(Text& t, const Report& report, const CheckResult& r, std::map<st
   if (std::string_view(r.visibility) != "visible") t.wrap("hidden from students (" + std::string(r.visibility) + ")", "      ");
   for (const std::string& note : r.notes) t.wrap("note: " + plain(note), "      ");
   if (r.verdict == Verdict::pass) return;
-  t.wrap(r.check->says + " (rigor explain " + r.check->formula + ")", "      ");
+  t.wrap(said_of(r) + " (rigor explain " + r.check->formula + ")", "      ");
   if (!r.words.empty()) {  // what the compiler said of a function is said once
     const auto [first, fresh] = said.emplace(r.words, r.check->id);
     t.wrap(fresh || r.verdict != Verdict::not_compiled ? plain(r.words) : "does not compile: see " + first->second, "      ");
