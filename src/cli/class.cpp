@@ -105,12 +105,15 @@ int class_command(const Options& options) {
   }
   if (!options.quiet)
     for (const std::string& student : stale) std::printf("an earlier report taken away, it no longer holds: %s\n", grader::printable(student).c_str());
-  int graded = 0, reused = 0;
+  int graded = 0, reused = 0, stopped = 0;
+  constexpr int shown_stopped = 3;
   for (const auto& r : rows) {
     graded += r.trouble.empty();
     reused += r.reused;
+    if (r.trouble == grader::stopped && ++stopped > shown_stopped) continue;
     if (!r.trouble.empty()) std::fprintf(stderr, "rigor class: %s: %s\n", grader::printable(r.entry.student).c_str(), r.trouble.c_str());
   }
+  if (stopped > shown_stopped) std::fprintf(stderr, "rigor class: and %d more: %s\n", stopped - shown_stopped, grader::stopped);
   if (!options.quiet) {
     std::printf("%d of %zu graded (%d unchanged since last time)\n", graded, rows.size(), reused);
     say_wrote(out, files);

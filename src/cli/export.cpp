@@ -200,20 +200,14 @@ Outcome<bool> add_grader(Package& package, const std::string& below, const std::
   return Fault{Fault::Kind::missing, "/usr/include/eigen3", "is not there (package libeigen3-dev)"};
 }
 
-/// The rubric with the seed for practice: the graded one is the instructor's secret.
-std::string for_practice(const std::string& rubric, std::uint64_t practice_seed) {
-  static const std::regex seeds("(^|\n)[ \t]*(practice_)?seed[ \t]*=[^\n]*");
-  return "seed = " + std::to_string(practice_seed) + "                   # for practice: the course grades with another\n" + std::regex_replace(rubric, seeds, "$1");
-}
-
-Outcome<bool> write_kit(const fs::path& to, const std::string& rubric, const grader::Rubric& read) {
+Outcome<bool> write_kit(const fs::path& to, const grader::Rubric& rubric) {
   Package package{{"README.md", kit_readme}, {"CMakeLists.txt", kit_cmake}, {"practice", practice, true}};
   for (const Text& text : grader::texts()) {
     const std::string path(text.path);
     if (path.starts_with("src/kit/handout/")) package.push_back({"src/" + path.substr(16), std::string(text.content)});
     if (path.starts_with("src/kit/include/")) package.push_back({"include/" + path.substr(16), std::string(text.content)});
   }
-  if (const auto added = add_grader(package, "", for_practice(rubric, read.practice_seed)); !added) return added;
+  if (const auto added = add_grader(package, "", grader::practice_rubric_text(rubric)); !added) return added;
   return write_tree(package, to);
 }
 
@@ -270,7 +264,7 @@ int export_command(const Options& options) {
   if (fs::exists(options.directory, ec) && (!fs::is_directory(options.directory, ec) || !fs::is_empty(options.directory, ec)))
     return bad_input(options.directory + ": is not empty, must be a new or an empty directory: nothing in it is written over");
   for (const std::string& warning : grader::warnings(*rubric, options.what != "kit")) std::fprintf(stderr, "rigor export: %s\n", warning.c_str());
-  const auto written = options.what == "kit"       ? write_kit(options.directory, text, *rubric)
+  const auto written = options.what == "kit"       ? write_kit(options.directory, *rubric)
                        : options.what == "autolab" ? write_autolab(options.directory, text, *rubric)
                                                    : write_gradescope(options.directory, text, *rubric);
   if (!written) return bad_input(written.fault().text());

@@ -34,11 +34,6 @@ struct Options {
   int jobs = 1;
 };
 
-int bad_input(const std::string& text) {
-  std::fprintf(stderr, "rigor grade: %s\n", text.c_str());
-  return 2;
-}
-
 struct Format {
   const char *name, *file;
   std::string (*write)(const grader::Report&);
@@ -90,7 +85,7 @@ Outcome<grader::Submission> submission_at(const std::filesystem::path& path) {
   return grader::open_submission(path);
 }
 
-Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, const Options& options) {
+Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, bool left_out, const Options& options) {
   const auto submission = submission_at(path);
   if (!submission) return submission.fault();
   grader::Selection selection{chosen, options.single_case};
@@ -104,6 +99,7 @@ Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric&
   filled.submission_path = path;
   filled.reader = options.reader;
   filled.asked_cases = asked_cases;
+  if (left_out) filled.notes.push_back("the course also grades by checks that are not part of this practice");
   return filled;
 }
 
@@ -113,6 +109,8 @@ int grade_command(const Options& options) {
     return 0;
   }
   const bool practises = options.reader == grader::Reader::practice;
+  const char* const program = practises ? "./practice" : "rigor grade";
+  const auto bad_input = [&](const std::string& text) { return std::fprintf(stderr, "%s: %s\n", program, text.c_str()), 2; };
   if (practises && (options.seed != 0 || options.practice)) return bad_input("--seed: ./practice has one seed, the rubric's for practice; the course grades with another");
   if (options.practice && options.seed != 0) return bad_input("--practice and --seed: both choose the cases, give one");
   if (options.json && options.quiet) return bad_input("--json and --quiet: both say what is printed, give one");
@@ -138,15 +136,17 @@ int grade_command(const Options& options) {
   std::vector<std::string> ids;
   for (const grader::Check& check : grader::checks()) ids.push_back(check.id);
   for (const std::string& id : options.checks)
-    if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids) + "; 'rigor grade --print-rubric' lists them");
+    if (grader::find_check(id) == nullptr) return bad_input("--check: there is no check '" + id + "'" + did_you_mean(id, ids) + "; " + (practises ? "rigor/rubric.toml" : "'rigor grade --print-rubric'") + " lists them");
   int most_cases = 0;
+  bool left_out = false;
   std::vector<std::string> chosen = options.checks;
   for (const grader::Check& check : grader::checks()) {
     const bool asked = std::find(options.checks.begin(), options.checks.end(), check.id) != options.checks.end();
     if (!asked && !options.checks.empty()) continue;
     most_cases = std::max(most_cases, rubric.cases_of(check));
     if (!practises) continue;  // the kit leaves out what students are not to see
-    const bool visible = rubric.visibility_of(check) == grader::Visibility::visible;
+    const bool visible = rubric.practises(check);
+    left_out = left_out || !visible;
     if (asked && !visible) return bad_input("--check: '" + check.id + "' is not part of the practice");
     if (!asked && visible) chosen.push_back(check.id);
   }
@@ -174,10 +174,10 @@ int grade_command(const Options& options) {
     const bool for_a_platform = !options.out.empty() && options.paths.size() == 1;
     if (for_a_platform)
       if (const auto written = write_failures("the grader did not finish", rubric, options); !written) return bad_input(written.fault().text());
-    const auto report = grade_one(path, rubric, chosen, asked_cases, options);
+    const auto report = grade_one(path, rubric, chosen, asked_cases, left_out, options);
     if (!report || interrupted() != 0) {
       const std::string why = interrupted() != 0 ? path + ": interrupted, not graded" : report.fault().text();
-      std::fprintf(stderr, "rigor grade: %s\n", why.c_str());
+      std::fprintf(stderr, "%s: %s\n", program, why.c_str());
       if (for_a_platform)
         if (const auto written = write_failures(why, rubric, options); !written) return bad_input(written.fault().text());
       if (autolab) std::fputs(grader::autolab_failure(why, rubric.group_names()).c_str(), stdout);

@@ -13,8 +13,6 @@
 namespace rigor::grader {
 namespace {
 
-constexpr const char* stopped = "interrupted";
-
 std::string tool_of(const std::string& tool, const std::string& hash) { return tool + " " + hash; }
 
 // nullopt: no report, or one that cannot be read. An entry without a name gets the report's.

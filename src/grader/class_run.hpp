@@ -6,10 +6,12 @@
 
 namespace rigor::grader {
 
+inline constexpr const char* stopped = "interrupted";
+
 /// One line of a class: read back from the student's report.json, so that a resumed run shows what a fresh one would.
 struct ClassRow {
   Entry entry;
-  std::string trouble;                           ///< why it could not be graded; "" when it was
+  std::string trouble;                           ///< why it could not be graded, `stopped` by Ctrl-C; "" when it was
   double score = 0, max_score = 0;
   std::map<std::string, double> points;          ///< by check id
   std::vector<std::pair<std::string, double>> groups;  ///< the report's headings and the points under them

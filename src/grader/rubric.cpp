@@ -124,6 +124,17 @@ Outcome<bool> read_refused(const toml::node& node, const std::string& where, std
   return true;
 }
 
+Outcome<bool> read_practised(const toml::node& node, const std::string& where, std::set<std::string>& practised) {
+  if (!node.is_array() || node.as_array()->empty()) return Fault{Kind::wrong_type, where, "must be a list of at least one check id"};
+  for (const toml::node& item : *node.as_array()) {
+    const auto id = item.value<std::string>();
+    if (!id) return Fault{Kind::wrong_type, where, "must be a list of check ids in quotes"};
+    if (find_check(*id) == nullptr) return unknown_check(where, *id, check_ids());
+    practised.insert(*id);
+  }
+  return true;
+}
+
 Outcome<bool> read_accepted(const toml::node& node, const std::string& where, std::set<std::string>& accepted) {
   if (!node.is_array()) return Fault{Kind::wrong_type, where, "must be a list of misconception ids"};
   std::vector<std::string> ids;
@@ -195,8 +206,10 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
       ok = read_accepted(node, where, rubric.accepted);
     } else if (name == "refuse") {
       ok = read_refused(node, where, rubric.refused);
+    } else if (name == "practice") {
+      ok = read_practised(node, where, rubric.practised);
     } else {
-      ok = unknown(file + ": ", name, {"title", "seed", "practice_seed", "cases", "tolerance", "accept", "refuse", "limits", "groups", "points", "tolerances", "case_counts", "visibility"});
+      ok = unknown(file + ": ", name, {"title", "seed", "practice_seed", "cases", "tolerance", "accept", "refuse", "practice", "limits", "groups", "points", "tolerances", "case_counts", "visibility"});
     }
     if (!ok) return placed(ok.fault(), file, node, key);
   }
@@ -205,7 +218,7 @@ Outcome<Rubric> from_table(const toml::table& root, const std::string& file) {
       return placed({Kind::out_of_range, file + ": practice_seed", "is the seed of the graded cases, must be another"}, file, *root.get("practice_seed"), root.find("practice_seed")->first);
     ++rubric.practice_seed;
   }
-  if (!(rubric.total_points() > 0)) return Fault{Kind::out_of_range, file + ": points:", "add up to 0, must be > 0"};
+  if (!(rubric.total_points() > 0)) return placed({Kind::out_of_range, file + ": points", "add up to 0, must be > 0"}, file, *root.get("points"), root.find("points")->first);
   return rubric;
 }
 
@@ -232,7 +245,7 @@ std::vector<std::string> warnings(const Rubric& rubric, bool secret_seed) {
   const std::string file = rubric.path.empty() ? "the default rubric" : rubric.path;
   if (std::fabs(rubric.total_points() - 100) > 1e-9) all.push_back(file + ": the points add up to " + number_text(rubric.total_points()) + ", not 100");
   if (secret_seed && rubric.seed == Rubric{}.seed)
-    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default, with which everybody can draw the graded cases; set one of your own: seed = NUMBER in the file of --rubric");
+    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default\n  with which everybody can draw the graded cases;\n  set one of your own: seed = NUMBER in the file of --rubric");
   return all;
 }
 
@@ -276,42 +289,6 @@ Outcome<Rubric> read_rubric(const std::filesystem::path& path) {
   const auto text = read_file(path, 1u << 20);
   if (!text) return text.fault();
   return parse_rubric(*text, path.string());
-}
-
-std::string default_rubric_text() {
-  const Rubric d;
-  std::ostringstream out;
-  out << "# The default rubric of rigor. Every key may be left out; these are the values then used.\n"
-      << "title = \"" << d.title << "\"      # shown on the report\n"
-      << "seed = " << d.seed << "            # of the graded cases: fix one per assignment and keep it to yourself\n"
-      << "practice_seed = " << d.practice_seed << "          # of the cases students practise on: goes out with the kit\n"
-      << "cases = " << d.cases << "                # random inputs per check; a check is all or nothing\n"
-      << "tolerance = " << d.tolerance << "              # multiplies every bound (derivations: docs/grading.md)\n"
-      << "accept = []                # misconceptions that count as right, for example [\"plane.printed-restitution\"]\n"
-      << "refuse = []                # readings that do not, for example [\"friction-literal\"]\n\n"
-      << "[limits]                   # for the student's code\n"
-      << "call_seconds = " << d.limits.call_s << "         # processor time of one call\n"
-      << "total_seconds = " << d.limits.total_s << "         # of one process\n"
-      << "memory_mb = " << (d.limits.memory_bytes >> 20) << "            # address space of one process\n\n"
-      << "[groups]                   # the headings of the report and the problems of Autolab, in this order\n";
-  for (const std::string& group : d.group_names()) {
-    std::string ids;
-    for (const Check& check : checks())
-      if (check.group == group) ids += (ids.empty() ? "\"" : ", \"") + check.id + "\"";
-    out << "\"" << group << "\" = [" << ids << "]\n";
-  }
-  out << "\n[points]                   # 0 makes a check advice\n";
-  for (const std::string& group : d.group_names()) {
-    double sum = 0;
-    for (const Check& check : checks()) sum += check.group == group ? check.points : 0;
-    out << "# " << group << ": " << sum << "\n";
-    for (const Check& check : checks())
-      if (check.group == group) out << "\"" << check.id << "\" = " << check.points << "  # " << check.says << "\n";
-  }
-  out << "\n[tolerances]               # of single checks, multiplied with the one above: \"update.torque\" = 2\n"
-      << "[case_counts]              # of single checks in place of the number above: \"plane.impulse\" = 1000\n"
-      << "[visibility]               # to students: \"update.torque\" = \"hidden\" (visible, hidden, after_due_date, after_published)\n";
-  return out.str();
 }
 
 }  // namespace rigor::grader

@@ -26,6 +26,7 @@ struct Rubric {
   Limits limits;
   std::set<std::string> accepted;          ///< misconceptions that count as right: "plane.printed-restitution"
   std::set<std::string> refused;           ///< readings that do not: "friction-literal"
+  std::set<std::string> practised;         ///< checks that ./practice runs; empty: those visible to students
 
   // by check id, where they differ from the default
   std::map<std::string, double> points;
@@ -55,6 +56,7 @@ struct Rubric {
     const auto it = visibilities.find(check.id);
     return it == visibilities.end() ? Visibility::visible : it->second;
   }
+  bool practises(const Check& check) const { return practised.empty() ? visibility_of(check) == Visibility::visible : practised.count(check.id) != 0; }
   const std::string& group_of(const Check& check) const {
     const auto it = groups.find(check.id);
     return it == groups.end() ? check.group : it->second;
@@ -72,6 +74,9 @@ Outcome<Rubric> parse_rubric(const std::string& text, const std::string& name);
 /// public default as the seed of the graded cases (where that should be a `secret_seed`: marks are to come of it).
 std::vector<std::string> warnings(const Rubric& rubric, bool secret_seed);
 
+/// What goes out with the kit, as TOML: the seed for practice, and of the checks those that students are to see. No other
+/// is named, and no comment of the instructor's.
+std::string practice_rubric_text(const Rubric& rubric);
 /// The default rubric as TOML, with a comment on every line: what `read_rubric` of it gives is `Rubric{}`.
 std::string default_rubric_text();
 

@@ -86,6 +86,9 @@ TEST_F(Export, KitGradesItselfForPracticeAndKeepsTheGradedSeed) {
   EXPECT_EQ(seeded.status, 2);
   EXPECT_NE(seeded.text.find("--seed: ./practice has one seed"), std::string::npos) << seeded.text;
   EXPECT_FALSE(fs::exists(dir / "page"));
+  const Ran unknown = sh((kit / "practice").string() + " --check force.smu");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_EQ(unknown.text, "./practice: --check: there is no check 'force.smu' (did you mean 'force.sum'?); rigor/rubric.toml lists them\n");
   const Ran ours = sh("RIGOR_CACHE=" + (dir / "cache").string() + " " RIGOR_BINARY_DIR "/rigor grade " + sample("wrong/torque-kept").string() + " --practice --json --rubric " + (dir / "rubric.toml").string() + " 2>/dev/null");  // which says that the points add up to 102
   const json here = json::parse(ours.text, nullptr, false);
   ASSERT_TRUE(here.is_object()) << ours.text;
@@ -96,6 +99,20 @@ TEST_F(Export, KitGradesItselfForPracticeAndKeepsTheGradedSeed) {
     if (check["id"] == "update.clears") {
       EXPECT_EQ(check["verdict"], "fail");
     }
+}
+
+TEST_F(Export, PracticeSaysThatTheCourseHasOtherChecks) {
+  for (const bool hidden : {false, true}) {
+    EXPECT_TRUE(write_file(dir / "hides.toml", std::string("seed = 77\n") + (hidden ? "[visibility]\n\"update.clears\" = \"hidden\"\n" : "")));
+    const std::string room = (dir / (hidden ? "some" : "all")).string();
+    ASSERT_EQ(sh(std::string(RIGOR_BINARY_DIR) + "/rigor export kit " + room + " --rubric " + (dir / "hides.toml").string()).status, 0);
+    const auto rubric = read_file(fs::path(room) / "rigor" / "rubric.toml");
+    ASSERT_TRUE(rubric);
+    EXPECT_EQ(rubric->find("update.clears") == std::string::npos, hidden) << *rubric;
+    const Ran ran = sh("RIGOR_CACHE=" + (dir / "cache").string() + " " + room + "/practice --cases 1");
+    EXPECT_EQ(ran.status, 0) << ran.text;
+    EXPECT_EQ(ran.text.find("the course also grades by checks that are not part of this practice") != std::string::npos, hidden) << ran.text;
+  }
 }
 
 TEST_F(Export, AutolabLabEndsWithTheTwoLinesWhateverIsHandedIn) {

@@ -91,6 +91,7 @@ TEST_F(Program, SaysWhenMarksComeOfThePublicSeed) {
   fs::copy(RIGOR_SOURCE_DIR "/tests/submissions/kit", dir / "class" / "ada", fs::copy_options::recursive);
   const std::string hears = "seed is 20260414, the public default", in_class = "class " + (dir / "class").string() + " --cases 1 --out " + (dir / "out").string();
   const Ran ran = rigor_says(in_class);
+  expect_eighty_columns(ran.text);
   EXPECT_TRUE(contains(ran.text, "rigor class: the default rubric: " + hears) && contains(ran.text, "set one of your own: seed = NUMBER")) << ran.text;
   EXPECT_FALSE(contains(rigor_says(in_class + " --seed 77").text, hears));
   const std::string own = " --rubric " + file("own.toml", "seed = 77"), points = " --rubric " + file("points.toml", "title = \"Rigid bodies\"");

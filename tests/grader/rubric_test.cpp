@@ -58,6 +58,8 @@ TEST(Rubric, SaysWhatIsWrongAndWhere) {
       {"[tolerances]\n\"moi.body\" = 0", "r:2: tolerances.\"moi.body\": is 0, must be in [0.01, 1000]"},
       {"[case_counts]\n\"moi.body\" = 0", "r:2: case_counts.\"moi.body\": is 0, must be in [1, 100000]"},
       {"refuse = [\"rows\"]", "r:1: refuse: must be readings a check can tell: friction-literal"},
+      {"practice = [\"moi.bdy\"]", "r:1: practice: there is no check 'moi.bdy'; did you mean 'moi.body'?"},
+      {"practice = []", "r:1: practice: must be a list of at least one check id"},
       {"tolerances = 2", "r:1: tolerances: must be a table: a line for each check"},
   };
   for (const auto& [text, message] : bad) {
@@ -87,6 +89,28 @@ TEST(Rubric, EveryCommentedExampleIsAccepted) {
     EXPECT_TRUE(rubric) << text << ": " << (rubric ? "" : rubric.fault().text());
   }
   EXPECT_EQ(tried, 5) << "accept, refuse, tolerances, case_counts, visibility";
+}
+
+// The kit's rubric has what students practise on, and names nothing they are not to see.
+TEST(Rubric, ForPracticeNamesNoHiddenCheck) {
+  const auto read = parse_rubric("# plane.energy is the trick\nseed = 91\npractice_seed = 5\ntitle = \"a \\\"b\\\"\"\ncases = 7\n[limits]\ncall_seconds = 2\n[groups]\n\"Energy\" = [\"plane.energy\"]\n\"Sums\" = [\"force.sum\"]\n"
+                                 "[points]\n\"plane.energy\" = 3\n\"force.sum\" = 2.5\n[tolerances]\n\"plane.energy\" = 2\n\"force.sum\" = 3\n[visibility]\n\"plane.energy\" = \"hidden\"\n", "r");
+  ASSERT_TRUE(read);
+  const std::string text = practice_rubric_text(*read);
+  for (const char* secret : {"plane.energy", "91", "trick", "Energy", "hidden"}) EXPECT_EQ(text.find(secret), std::string::npos) << secret << '\n' << text;
+  const auto kit = parse_rubric(text, "kit");
+  ASSERT_TRUE(kit) << text;
+  EXPECT_EQ(kit->title, "a \"b\"");
+  EXPECT_EQ(kit->seed, 5u);
+  EXPECT_EQ(kit->cases, 7);
+  EXPECT_EQ(kit->limits.call_s, 2);
+  for (const Check& check : checks()) {
+    EXPECT_EQ(kit->practises(check), check.id != "plane.energy") << check.id;
+    if (check.id == "plane.energy") continue;
+    EXPECT_EQ(kit->points_of(check), read->points_of(check)) << check.id;
+    EXPECT_EQ(kit->tolerance_of(check), read->tolerance_of(check)) << check.id;
+    EXPECT_EQ(kit->group_of(check), read->group_of(check)) << check.id;
+  }
 }
 
 TEST(Rubric, AReadingThatCountsAnywayIsNotAcceptedInVain) {
