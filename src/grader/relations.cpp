@@ -29,18 +29,27 @@ bool everywhere(const std::vector<Case>& cases, Holds holds) {
   return std::all_of(cases.begin(), cases.end(), holds);
 }
 
-// As if the student's function did nothing to its bodies, where that is not right anyway.
-bool unchanged(const Check& check, const std::vector<Record>& records, const std::vector<Case>& cases) {
-  bool wrong = false;
-  for (std::size_t i = 0; i < records.size(); ++i) {
+// What a function that does nothing to its bodies would have given; empty where that has other components.
+std::vector<Case> idle_table(const Check& check, const std::vector<Record>& records, const std::vector<Case>& cases) {
+  std::vector<Case> all;
+  for (const Record& record : records) {
     std::vector<Reply> idle;
-    for (const Call& call : check.calls(records[i].inputs)) {
+    for (const Call& call : check.calls(record.inputs)) {
       Reply r{};
       r.A = call.request.A, r.B = call.request.B;
       idle.push_back(r);
     }
-    const Case nothing = check.judge(records[i].inputs, idle, false).components;
-    if (nothing.size() != cases[i].size()) return false;
+    all.push_back(check.judge(record.inputs, idle, false).components);
+    if (all.back().size() != cases[all.size() - 1].size()) return {};
+  }
+  return all;
+}
+
+// As if the student's function did nothing, where that is not right anyway.
+bool unchanged(const std::vector<Case>& idle, const std::vector<Case>& cases) {
+  bool wrong = false;
+  for (std::size_t i = 0; i < idle.size(); ++i) {
+    const Case& nothing = idle[i];
     for (std::size_t k = 0; k < nothing.size(); ++k) {
       if (!close(cases[i][k].got, nothing[k].got, nothing[k].bound)) return false;
       wrong = wrong || !close(nothing[k].got, nothing[k].want, nothing[k].bound);
@@ -142,20 +151,23 @@ std::string shifted(const std::vector<Case>& cases) {
 }
 
 // Wrong in components of one axis only, which come in triples "..., x" "..., y" "..., z".
-std::string one_axis(const std::vector<Case>& cases) {
+std::string one_axis(const std::vector<Case>& idle, const std::vector<Case>& cases) {
   std::set<char> wrong;
-  bool reversed = true;
-  for (const Case& one : cases)
-    for (const Component& c : one) {
+  bool reversed = true, change_reversed = !idle.empty();
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (std::size_t k = 0; k < cases[i].size(); ++k) {
+      const Component& c = cases[i][k];
       const bool vector = c.name.size() > 3 && c.name.compare(c.name.size() - 3, 2, ", ") == 0;
       if (close(c.got, c.want, c.bound)) continue;
       if (!vector) return "";
       wrong.insert(c.name.back());
       reversed = reversed && close(c.got, -c.want, c.bound);
+      change_reversed = change_reversed && close(c.got - idle[i][k].got, idle[i][k].got - c.want, c.bound);
     }
   if (wrong.size() != 1) return "";
   const std::string axis(1, *wrong.begin());
-  return reversed ? "the " + axis + " component has the opposite sign, always" : "only the " + axis + " component is wrong, always";
+  if (reversed || change_reversed) return std::string(reversed ? "the " : "what is added to the ") + axis + " component has the opposite sign, always";
+  return "only the " + axis + " component is wrong, always";
 }
 
 // What a limit is taken of, and how far one step moves it.
@@ -231,9 +243,10 @@ std::string relation(const Check& check, const std::vector<Record>& records) {
   // a number extrapolated from steps says nothing where the change does not go with dt
   for (const Quantity& q : limits)
     if (!goes_with(1, q, records, 0.2) && !stays(q, records)) return "";
-  if (unchanged(check, records, cases)) return "the result is the unchanged input, always";
+  const std::vector<Case> idle = idle_table(check, records, cases);
+  if (unchanged(idle, cases)) return "the result is the unchanged input, always";
   if (const double factor = common_factor(cases); std::isfinite(factor)) return in_words("the result", factor);
-  for (const std::string& words : {exchanged(cases), shifted(cases), one_axis(cases), factor_of_a_part(cases)})
+  for (const std::string& words : {exchanged(cases), shifted(cases), one_axis(idle, cases), factor_of_a_part(cases)})
     if (!words.empty()) return words;
   return "";
 }

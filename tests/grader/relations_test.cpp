@@ -107,6 +107,9 @@ TEST(Relations, NoneOfAnswersThatShowNoChange) {
 TEST(Relations, AnAxisWithTheOppositeSign) {
   EXPECT_EQ(seen("force.torque", [](const Request&, Reply& r) { r.A.net_torque[1] = -r.A.net_torque[1]; }), "the y component has the opposite sign, always");
 }
+TEST(Relations, AnAxisWithTheOppositeSignOfWhatIsAdded) {
+  EXPECT_EQ(seen("force.torque", [](const Request& q, Reply& r) { r.A.net_torque[1] = 2 * q.A.net_torque[1] - r.A.net_torque[1]; }), "what is added to the y component has the opposite sign, always");
+}
 TEST(Relations, AFactorOfOneQuantity) {
   EXPECT_EQ(seen("update.linear", [](const Request& q, Reply& r) { for (int i = 0; i < 3; ++i) r.A.velocity[i] = (r.A.velocity[i] + q.A.velocity[i]) / 2; }),
             "dv/dt is 0.5 times the right one, always");
