@@ -238,9 +238,11 @@ Outcome<Child> start(const Confined& what) {
   return child;
 }
 
-/// What bubblewrap says before it lets the program run; later bytes, whoever wrote them, are never read.
+/// What bubblewrap says before it lets the program run; later bytes, whoever wrote them, are never read. The pipe stays
+/// open until the end: bubblewrap says more, and writing to nobody would kill it before it has let its half go on.
 pid_t Child::first_inside() const {
-  if (information_ < 0) return inside_;
+  if (information_ < 0 || asked_) return inside_;
+  asked_ = true;
   std::string text;
   char c;
   for (ssize_t n; text.size() < 200;) {
@@ -249,8 +251,6 @@ pid_t Child::first_inside() const {
     if (n <= 0 || c == ',' || c == '}') break;
     text += c;
   }
-  close(information_);
-  information_ = -1;
   if (const std::size_t at = text.find("\"child-pid\":"); at != std::string::npos)
     inside_ = pid_t(std::strtol(text.c_str() + at + 12, nullptr, 10));
   if (inside_ > 0) inside_handle_ = int(syscall(SYS_pidfd_open, inside_, 0));  // -1 before Linux 5.3
@@ -261,7 +261,10 @@ pid_t Child::first_inside() const {
 /// with it, may take a moment longer to be gone.
 void Child::await_inside() {
   first_inside();
+  if (information_ >= 0) close(information_);
+  information_ = -1;
   if (inside_handle_ < 0) return;
+  syscall(SYS_pidfd_send_signal, inside_handle_, SIGKILL, nullptr, 0);  // where bubblewrap itself was killed
   pollfd gone{inside_handle_, POLLIN, 0};
   while (poll(&gone, 1, 10000) < 0 && errno == EINTR) continue;
   close(inside_handle_);

@@ -57,7 +57,8 @@ class Child {
   mutable pid_t program_ = 0;  // once known
   mutable pid_t inside_ = 0; // the first process inside the namespaces, as seen from here
   mutable int inside_handle_ = -1;  // a descriptor of that process, which its number cannot outlive
-  mutable int information_ = -1;  // where bubblewrap tells it
+  int information_ = -1;           // where bubblewrap tells it
+  mutable bool asked_ = false;     // whether that has been read
   int status_ = 0;
   bool reaped_ = false;
 };

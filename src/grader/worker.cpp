@@ -135,7 +135,8 @@ struct Worker::Process {
         looked = wall;
         spent = std::max(0.0, cpu - begun_at) + slept;
         if (wall >= wall_per_cpu * seconds || spent >= seconds)
-          return Death{Death::Kind::timeout, "took longer than " + seconds_words(seconds) + (starting ? " to start" : " for one call")};
+          return Death{Death::Kind::timeout, "took longer than " + seconds_words(spent >= seconds || !starting ? seconds : wall_per_cpu * seconds) +
+                                                 (starting ? " to start" : " for one call")};
       }
       pollfd fds[] = {{channel, POLLIN, 0}, {printed, POLLIN, 0}};
       const int events = poll(fds, printed_now > limits.output_bytes ? 1 : 2, int(1000 * look) + 1);

@@ -104,6 +104,24 @@ TEST(Sandbox, GivesAProgramTheDescriptorsItShallHaveAndNoOthers) {
   EXPECT_EQ(output.text, "end\n");
 }
 
+// Bubblewrap tells in several pieces what it has begun; who has asked for the first must not cut off the others.
+TEST(Sandbox, StartsWhoeverAsksHoweverEarly) {
+  for (int k = 0; k < 200; ++k) {
+    int out[2];
+    ASSERT_EQ(pipe2(out, O_CLOEXEC), 0);
+    const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    Child child = *start({Profile::compiler, {"/bin/echo", "hello"}, "/", {}, {}, {null, out[1], out[1]}, usual});
+    close(out[1]);
+    close(null);
+    child.cpu_seconds();
+    ASSERT_TRUE(child.ended(30)) << k;
+    ASSERT_EQ(child.status(), 0) << k;
+    char text[6];
+    EXPECT_EQ(read(out[0], text, 6), 6) << k;
+    close(out[0]);
+  }
+}
+
 TEST(Sandbox, SaysInWordsWhatItReached) {
   const auto lines = isolation(Profile::worker);
   EXPECT_GE(lines.size(), 4u);
