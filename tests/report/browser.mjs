@@ -33,7 +33,7 @@ static int shout = std::printf("%s\\n", "\\033[31m<img src=x onerror=hurt=1></pr
   writeFileSync(join(hand_ins, 'ivy', 'notes.txt'), 'nothing that is graded');
   const graded = spawnSync(program, ['class', hand_ins, '--out', out, '--jobs', '2', '--cases', '25'], {encoding: 'utf8'});
   assert.equal(graded.status, 1, 'one could not be graded');
-  assert.match(graded.stderr, /^rigor class: the default rubric: seed is [^\n]*\nrigor class: ivy: [^\n]*\n$/);
+  assert.match(graded.stderr, /^rigor class: the default rubric: seed is [^\n]*\n(  [^\n]*\n)*rigor class: ivy: [^\n]*\n$/);
 });
 
 const page_of = student => pathToFileURL(join(out, directory(student), 'report.html')).href;
