@@ -60,7 +60,7 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
     Table without{"ways without a step: errors by tolerance, or of the closed form", {"method", "tolerance"}, {}, 1};
     for (Table* t : {&last, &without}) t->header.insert(t->header.end(), errors.begin(), errors.end());
     Table pairs{"order from one step to its half (attitude); floor: the finer one is within ten times of rounding", {"method"}, {}, 1};
-    Table gci{"three systematically refined results (ASME V&V 20): one entry of the attitude at the end, extrapolated (Richardson); the grid convergence index says how far off the finest is; near 1: asymptotic",
+    Table gci{"three systematically refined results (ASME V&V 20): one entry of the attitude at the end, extrapolated (Richardson); the grid convergence index says how far off the finest is; near 1: needed of results in the asymptotic range, not enough, for any two that are close give it; the order must be the method's, too",
               {"method", "steps", "order", "finest", "extrapolated", "its true error", "GCI, finest", "true error, finest", "near 1"}, {}, 1};
     for (const Group& g : by_method(problem.rows)) {
       const auto errors_line = [](const Row& row, const std::string& setting) {

@@ -183,7 +183,8 @@ std::vector<std::string> equations(const Problem& p) {
 Errors errors_of(const Problem& p, const State<double>& end) {
   const V L0 = motion_of(p.body, p.start).L_W, L = motion_of(p.body, end).L_W, L_want = motion_of(p.body, p.end).L_W;
   const double momentum = std::fmax(norm<double>(L0), norm<double>(L_want)), energy = std::fmax(kinetic(p, p.start), kinetic(p, p.end));
-  return {angle_between<double>(end.R_WB, p.end.R_WB), norm<double>(V(L - L_want)) / momentum, std::fabs(kinetic(p, end) - kinetic(p, p.end)) / energy, norm<double>(V(end.p_WB - p.end.p_WB))};
+  const auto relative = [](double off, double size) { return off == 0 ? 0 : off / size; };  // a body that does not turn keeps that it does not
+  return {angle_between<double>(end.R_WB, p.end.R_WB), relative(norm<double>(V(L - L_want)), momentum), relative(std::fabs(kinetic(p, end) - kinetic(p, p.end)), energy), norm<double>(V(end.p_WB - p.end.p_WB))};
 }
 
 }  // namespace rigor::studies

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <rigor/base/file.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/convergence.hpp>
 
@@ -63,6 +66,20 @@ TEST(Places, OfALadderThatComesToRounding) {
   EXPECT_EQ(places({8, 4, 2, 1}, {8e-2, 2e-2, 1e-2, 5e-3}, 300, false), (std::vector<Place>(4, used)));      // errors of impacts
   EXPECT_EQ(of({6e-2, 1e-2, 5e-3, 1e-3}), (std::vector<Place>(4, used)));                                    // never settled: all that there is
   EXPECT_EQ(of({1e-3, 9.9e-4, 9.8e-4}), (std::vector<Place>(3, used)));                                      // flat, but not at rounding: no order is seen, and said
+}
+
+// A body that falls without spin: nothing of its L is lost, out of nothing; its place is judged as any other's.
+TEST(Problems, ABodyWithoutSpinHasErrorsThatAreNumbers) {
+  const std::string file = (std::filesystem::temp_directory_path() / ("rigor-falls-" + std::to_string(::getpid()) + ".json")).string();
+  ASSERT_TRUE(write_file(file, R"({"until": 1, "cuboids": [{"size": [1, 2, 3], "mass": 2, "position": [0, 5, 1], "velocity": [1, 2, 0]}]})"));
+  const auto opened = open_problem(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(opened) << opened.fault().text();
+  const Errors e = errors_of(**opened, integrate(**opened, *find_method("rk4"), 10));
+  EXPECT_EQ(e.attitude, 0);
+  EXPECT_EQ(e.momentum, 0);
+  EXPECT_LT(e.energy, 1e-14);
+  EXPECT_LT(e.position, 1e-14);
 }
 
 TEST(Problems, HaveAReferenceThatKeepsWhatThePhysicsKeeps) {
