@@ -36,7 +36,7 @@ class Workshop {
 struct Compilation {
   bool ok = false;
   std::string output;  ///< what it said, at most 256 KiB
-  std::string stopped;  ///< not empty when it was stopped: "the compiler needed more than 20 s"
+  std::string stopped;  ///< not empty when it was stopped: "the compiler needed more than 30 s"
 };
 
 /// Runs the compiler confined, in workshop.src().
