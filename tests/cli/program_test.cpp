@@ -449,8 +449,10 @@ TEST_F(Program, StudiesDoNotGoOnInTheDirectoryOfAnother) {
 // An interrupted study says so wherever it is read, and --resume makes it whole.
 TEST_F(Program, StudiesSayThatTheyWereInterrupted) {
   const fs::path out = dir / "out";
-  const std::string asks = "study drift --problem short-A --method sheet,rk4,split2,split3,rkmk4,buss-augmented --sums plain --steps 600000 --jobs 1 --out " + out.string();
-  const Ran ran = rigor_says(asks, "timeout --foreground --preserve-status -s INT 1 ");
+  const std::string asks = "study drift --problem short-A --method sheet,rk4,split2,split3,rkmk4,buss-augmented --sums plain --steps 3000000 --jobs 1 --out " + out.string();
+  // once the first of six cells is there, however quick the machine (set -m: else a shell lets nobody behind it hear SIGINT)
+  const std::string at_first_cell = "until ls " + (out / "cells").string() + "/*.json >/dev/null 2>&1; do sleep 0.02; done";
+  const Ran ran = rigor_says(asks, "timeout 120 bash -c 'set -m; \"$@\" & study=$!; " + at_first_cell + "; kill -INT $study; wait $study' interrupted ");
   ASSERT_EQ(ran.status, 130) << ran.text;
   const auto json = nlohmann::json::parse(*read_file(out / "study.json"));
   EXPECT_EQ(json["interrupted"], true);
