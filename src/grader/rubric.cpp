@@ -245,7 +245,7 @@ std::vector<std::string> warnings(const Rubric& rubric, bool secret_seed) {
   const std::string file = rubric.path.empty() ? "the default rubric" : rubric.path;
   if (std::fabs(rubric.total_points() - 100) > 1e-9) all.push_back(file + ": the points add up to " + number_text(rubric.total_points()) + ", not 100");
   if (secret_seed && rubric.seed == Rubric{}.seed)
-    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default\n  with which everybody can draw the graded cases;\n  set one of your own: seed = NUMBER in the file of --rubric");
+    all.push_back(file + ": seed is " + std::to_string(rubric.seed) + ", the public default,\n  with which everybody can draw the graded cases;\n  set one of your own: seed = NUMBER in the file of --rubric");
   return all;
 }
 

@@ -62,10 +62,11 @@ Motion step_dormand_prince(const Cuboid<double>& body, const Motion& now, const 
 }
 
 Outcome<Flown> fly_dormand_prince(const Cuboid<double>& body, const State<double>& start, const LoadAt& load, double t0, double t1, double tolerance) {
-  char written[32];
-  std::snprintf(written, sizeof written, "%g", tolerance);
-  if (!(tolerance >= 1e-14 && tolerance <= 1e-1))
+  if (!(tolerance >= 1e-14 && tolerance <= 1e-1)) {
+    char written[32];
+    std::snprintf(written, sizeof written, "%g", tolerance);
     return Fault{Fault::Kind::out_of_range, "tolerance", std::string("is ") + written + ", must be in [1e-14, 1e-1]: below it the estimate is rounding"};
+  }
   if (!std::isfinite(t0) || !std::isfinite(t1)) return Fault{Fault::Kind::not_finite, "time", "from " + std::to_string(t0) + " to " + std::to_string(t1)};
   Flown flown{start};
   if (t0 == t1) return flown;

@@ -72,7 +72,7 @@ StudyPage stability_page(const std::vector<Row>& rows) {
     accurate.caption = "the same, neither unstable nor inaccurate";
     std::vector<Table> grids;
     for (const Group& method : by_method(problem.rows)) {
-      Table grid{method.name + ": + stable, o inaccurate, - unstable; " + "down: " + map->y + "; across: " + map->x, {""}, {}, 1};
+      Table grid{method.name + ": + stable, o inaccurate, - unstable; down: " + map->y + "; across: " + map->x, {""}, {}, 1};
       for (const double x : map->xs) grid.header.push_back(brief(x, "%.3g"));
       for (Table* t : {&stable, &accurate}) t->rows.push_back({method.name});
       for (const double y : map->ys) {
