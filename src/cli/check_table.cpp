@@ -8,6 +8,7 @@
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/check_table.hpp>
 #include <rigor/cli/in_range.hpp>
+#include <rigor/cli/refused.hpp>
 #include <rigor/cli/texts.hpp>
 #include <rigor/cli/unless_interrupted.hpp>
 #include <rigor/cli/wrote.hpp>
@@ -22,10 +23,7 @@ struct Options {
   std::optional<double> within;
 };
 
-int bad_input(const std::string& text) {
-  std::fprintf(stderr, "rigor check-table: %s\n", text.c_str());
-  return 2;
-}
+int bad_input(const std::string& text) { return refused("check-table", text); }
 std::string frozen_table(const std::string& name) {
   for (const auto& text : texts())
     if (text.path == "reference/tables/" + name + ".csv") return std::string(text.content);

@@ -7,6 +7,7 @@
 #include <rigor/cli/class.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
+#include <rigor/cli/refused.hpp>
 #include <rigor/cli/wrote.hpp>
 #include <rigor/grader/archive.hpp>
 #include <rigor/grader/class_run.hpp>
@@ -24,10 +25,7 @@ struct Options {
   bool fresh = false, quiet = false;
 };
 
-int bad_input(const std::string& text) {
-  std::fprintf(stderr, "rigor class: %s\n", text.c_str());
-  return 2;
-}
+int bad_input(const std::string& text) { return refused("class", text); }
 
 /// Whether `path`, which need not exist, is `directory` or lies in it.
 bool inside(const std::filesystem::path& path, const std::filesystem::path& directory) {

@@ -7,8 +7,9 @@
 #include <memory>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
-#include <rigor/cli/progress.hpp>
 #include <rigor/cli/in_range.hpp>
+#include <rigor/cli/progress.hpp>
+#include <rigor/cli/refused.hpp>
 #include <rigor/cli/run.hpp>
 #include <rigor/cli/wrote.hpp>
 #include <rigor/engine/located.hpp>
@@ -32,10 +33,7 @@ struct Options {
   bool json = false, quiet = false, explain = false;
 };
 
-int bad_input(const Fault& fault) {
-  std::fprintf(stderr, "rigor run: %s\n", fault.text().c_str());
-  return 2;
-}
+int bad_input(const Fault& fault) { return refused("run", fault.text()); }
 
 using studies::brief;
 constexpr std::size_t most_shown = 10;  // of a list, on a terminal

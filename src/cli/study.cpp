@@ -9,6 +9,7 @@
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
+#include <rigor/cli/refused.hpp>
 #include <rigor/cli/study.hpp>
 #include <rigor/cli/unless_interrupted.hpp>
 #include <rigor/cli/wrote.hpp>
@@ -33,10 +34,7 @@ struct Options {
   bool all_peers = false, resume = false, json = false, quiet = false;
 };
 
-int bad_input(const std::string& text) {
-  std::fprintf(stderr, "rigor study: %s\n", text.c_str());
-  return 2;
-}
+int bad_input(const std::string& text) { return refused("study", text); }
 
 std::string study_json(const std::vector<studies::Row>& rows, const std::string& command, std::size_t cells) {
   nlohmann::ordered_json json{{"schema", "rigor.study/2"}, {"command", command}, {"machine", studies::machine()}, {"cells", cells}, {"finished", rows.size()},

@@ -4,6 +4,7 @@
 #include <memory>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/in_range.hpp>
+#include <rigor/cli/refused.hpp>
 #include <rigor/cli/view.hpp>
 #include <rigor/live/server.hpp>
 #include <rigor/scene/method_names.hpp>
@@ -18,10 +19,7 @@ struct Options {
   unsigned short port = 0;
 };
 
-int bad_input(const Fault& fault) {
-  std::fprintf(stderr, "rigor view: %s\n", fault.text().c_str());
-  return 2;
-}
+int bad_input(const Fault& fault) { return refused("view", fault.text()); }
 
 int view_command(const Options& options) {
   auto opened = open_scene(options.scene, options.seed);

@@ -269,7 +269,7 @@ Outcome<bool> check_rows(const Scene& s) {
   const double interval = s.method == "located" ? output_interval(s) : std::max(output_interval(s), s.dt);
   const double rows = double(s.bodies.size()) * (s.until / interval + 1);
   if (rows <= most_rows) return true;
-  return Fault{Kind::out_of_range, "every", fmt::format("is {}, gives {:.3g} rows of {} cuboid{} until {}, at most 2e7 are kept", shown(s.every), rows, s.bodies.size(), s.bodies.size() == 1 ? "" : "s", shown(s.until))};
+  return Fault{Kind::out_of_range, "until", fmt::format("is {} and every {}, gives {:.3g} rows of {} cuboid{}, at most 2e7 are kept", shown(s.until), shown(s.every), rows, s.bodies.size(), s.bodies.size() == 1 ? "" : "s")};
 }
 
 Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -25,7 +26,7 @@ Outcome<std::string> program(const std::string& name) {
     names.push_back(p.name);
     if (p.name == name) peer = &p;
   }
-  if (peer == nullptr) return fault(Fault::Kind::unknown_key, name, "is none of the peers" + did_you_mean(name, names));
+  if (peer == nullptr) return fault(Fault::Kind::unknown_key, name, fmt::format("is none of the peers{}; known: {}", did_you_mean(name, names), fmt::join(names, ", ")));
   std::error_code ec;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", ec);
   const std::filesystem::path path = self.parent_path() / ("rigor-peer-" + name);

@@ -15,6 +15,8 @@ namespace {
 
 TEST(Suggest, FindsTheNearestWordAndStaysSilentWhenNoneIsNear) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);  // the textbook pair
+  EXPECT_EQ(edit_distance("drfit", "drift"), 1u) << "two neighbours exchanged";
+  EXPECT_EQ(edit_distance("ca", "abc"), 3u) << "an exchanged pair stays as it is: the textbook's difference from the unrestricted distance";
   EXPECT_EQ(did_you_mean("restituton", {"restitution", "gravity"}), " (did you mean 'restitution'?)");
   EXPECT_EQ(did_you_mean("banana", {"restitution", "gravity"}), "");
   EXPECT_EQ(did_you_mean("x", {}), "");

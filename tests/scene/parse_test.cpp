@@ -42,9 +42,9 @@ TEST(ParseScene, LimitsStepsAndRows) {
   };
   EXPECT_EQ(read(R"("dt": 1e-12, "until": 10)"), "f.json: dt is 1e-12, gives more than 1e12 steps until 10");
   EXPECT_EQ(read(R"("dt": 1e-12, "until": 1e10, "method": "located")"), "") << "no steps; by default ten thousand rows";
-  EXPECT_EQ(read(R"("every": 1e-9, "until": 10, "method": "located")"), "f.json: every is 1e-09, gives 1e+10 rows of 1 cuboid until 10, at most 2e7 are kept");
+  EXPECT_EQ(read(R"("every": 1e-9, "until": 10, "method": "located")"), "f.json: until is 10 and every 1e-09, gives 1e+10 rows of 1 cuboid, at most 2e7 are kept");
   EXPECT_EQ(read(R"("every": 1e-9, "until": 10)"), "") << "a step gives one row at most";
-  EXPECT_EQ(read(R"("every": 1e-7, "dt": 1e-7, "until": 10)"), "f.json: every is 1e-07, gives 1e+08 rows of 1 cuboid until 10, at most 2e7 are kept");
+  EXPECT_EQ(read(R"("every": 1e-7, "dt": 1e-7, "until": 10)"), "f.json: until is 10 and every 1e-07, gives 1e+08 rows of 1 cuboid, at most 2e7 are kept");
   EXPECT_EQ(read(R"("dt": 1e-7, "until": 10)"), "") << "nobody asked for rows: who keeps them asks";
 }
 
