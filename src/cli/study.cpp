@@ -52,10 +52,12 @@ Outcome<std::vector<std::string>> write_all(const fs::path& dir, const std::vect
   int k = 0;
   for (const std::string& figure : studies::page_figures(page)) files.emplace_back("figure-" + std::to_string(++k) + ".svg", figure);
   std::vector<std::string> names;
+  std::error_code none;
   for (const auto& [name, text] : files) {
     if (const auto written = write_file(dir / name, text); !written) return written.fault();
     if (!name.starts_with("figure")) names.push_back(name);
   }
+  for (int more = k + 1; fs::remove(dir / fmt::format("figure-{}.svg", more), none); ++more) {}  // of a longer study here before
   if (k > 0) names.push_back(k == 1 ? "figure-1.svg" : fmt::format("figure-1.svg to figure-{}.svg", k));
   return names;
 }
@@ -103,11 +105,10 @@ int study_command(const Options& options) {
   const auto of_student = [&](const studies::Cell& cell) { return student && cell.method == student->name(); };
   if (options.jobs > 0 && std::all_of(cells->begin(), cells->end(), [&](const studies::Cell& cell) { return cell.timed() || of_student(cell); }))
     return bad_input("--jobs: the runs of " + request.kind + " are timed, one after another");
-  if (options.resume)
-    if (const auto fault = studies::other_study(options.out, *cells)) return bad_input("--resume: " + fault->text());
   if (!options.out.empty()) {  // before anything is measured: can it be written, and over nothing but a study?
     if (const auto theirs = not_of_a_study(options.out); !theirs.empty())
       return bad_input("--out: " + theirs + " is there and no study wrote it; give another directory");
+    if (const auto fault = studies::other_study(options.out, *cells)) return bad_input("--out: " + fault->text());
     std::string list;
     for (const studies::Cell& cell : *cells) list += cell.file() + "  " + cell.text() + "\n";
     if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return bad_input("--out: " + written.fault().text());
@@ -138,6 +139,8 @@ int study_command(const Options& options) {
   else if (!options.quiet) {
     std::fputs(studies::page_text(page).c_str(), stdout);
     if (!files.empty()) say_wrote(options.out, files);
+    if (const std::size_t others = options.out.empty() ? 0 : studies::cells_not_asked_for(options.out, *cells))
+      fmt::print("{} more {} in {}, not asked for and not in these pages, stay there.\n", others, others == 1 ? "cell" : "cells", (fs::path(options.out) / "cells").string());
   }
   if (interrupted() != 0) return 128 + interrupted();
   if (!std::all_of(rows->begin(), rows->end(), [](const studies::Row& row) { return !row.failed.empty(); })) return 0;

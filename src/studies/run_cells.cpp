@@ -36,7 +36,16 @@ std::optional<Fault> other_study(const std::filesystem::path& directory, const s
   }
   if (first.empty()) return std::nullopt;
   return Fault{Fault::Kind::unsupported, directory.string(),
-               "has another study, none of the cells asked for: there " + first + " and so on, asked for " + cells.front().text() + " and so on; give another directory, or no --resume"};
+               "has another study, none of the cells asked for: there " + first + " and so on, asked for " + cells.front().text() + " and so on; give another directory"};
+}
+
+std::size_t cells_not_asked_for(const std::filesystem::path& directory, const std::vector<Cell>& cells) {
+  std::set<std::string> asked;
+  for (const Cell& cell : cells) asked.insert(cell.file());
+  std::error_code none;
+  std::size_t others = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "cells", none)) others += asked.count(entry.path().filename().string()) == 0;
+  return others;
 }
 
 Outcome<std::vector<Row>> run_cells(const std::vector<Cell>& cells, const std::function<Row(const Cell&)>& measure, const std::function<bool(const Cell&)>& alone,

@@ -24,4 +24,7 @@ Outcome<std::vector<Row>> run_cells(const std::vector<Cell>& cells, const std::f
 /// what scene files and submissions held at the time. Then the fault (unsupported) names what is there. A directory without the list is of none.
 std::optional<Fault> other_study(const std::filesystem::path& directory, const std::vector<Cell>& cells);
 
+/// How many files of DIRECTORY/cells are of other cells than these: of a longer study before, or of a file since edited.
+std::size_t cells_not_asked_for(const std::filesystem::path& directory, const std::vector<Cell>& cells);
+
 }  // namespace rigor::studies

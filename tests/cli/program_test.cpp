@@ -433,18 +433,25 @@ TEST_F(Program, StudiesOfWhichEveryRunFailedEndWithStatusOne) {
   EXPECT_EQ(some.status, 0) << some.text;
 }
 
-// --resume goes on with the same study, also a longer or an edited one; the cells of another are named and stay as they are.
+// The directory of a study takes the same one again, also longer, shorter or edited; it takes no other, with --resume or without.
 TEST_F(Program, StudiesDoNotGoOnInTheDirectoryOfAnother) {
-  const std::string out = (dir / "out").string(), asks = " --problem short-A --quiet --out " + out + " ";
-  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 3" + asks).status, 0);
-  const std::string list = *read_file(dir / "out" / "cells.txt");
-  for (const char* other : {"convergence --method sheet --rungs 3", "convergence --method rk4 --rungs 3 --until 2", "work-precision --method rk4 --rungs 3"}) {
-    const Ran ran = rigor_says(std::string("study ") + other + asks + "--resume");
-    EXPECT_EQ(ran.status, 2) << ran.text;
-    EXPECT_TRUE(ran.text.starts_with("rigor study: --resume: " + out + " has another study, none of the cells asked for: there study=convergence problem=short-A method=rk4 steps=50 ")) << ran.text;
-    EXPECT_EQ(*read_file(dir / "out" / "cells.txt"), list);
-  }
-  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 4" + asks + "--resume").text, "");
+  const fs::path place = dir / "out";
+  const std::string out = place.string(), asks = " --problem short-A --out " + out + " ";
+  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 3 --quiet" + asks).status, 0);
+  const std::string list = *read_file(place / "cells.txt");
+  for (const char* other : {"convergence --method sheet --rungs 3", "convergence --method rk4 --rungs 3 --until 2", "work-precision --method rk4 --rungs 3"})
+    for (const char* how : {"", "--resume"}) {
+      const Ran ran = rigor_says(std::string("study ") + other + asks + how);
+      EXPECT_EQ(ran.status, 2) << ran.text;
+      EXPECT_TRUE(ran.text.starts_with("rigor study: --out: " + out + " has another study, none of the cells asked for: there study=convergence problem=short-A method=rk4 steps=50 ")) << ran.text;
+      EXPECT_EQ(*read_file(place / "cells.txt"), list);
+    }
+  EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 4 --quiet" + asks + "--resume").text, "");
+  EXPECT_FALSE(contains(rigor_says("study convergence --method rk4 --rungs 4" + asks + "--resume").text, "not asked for"));
+  file("out/figure-2.svg", "of a longer study");  // figure-1 is the only one now
+  const Ran shorter = rigor_says("study convergence --method rk4 --rungs 2" + asks + "--resume");
+  EXPECT_TRUE(contains(shorter.text, "\n2 more cells in " + out + "/cells, not asked for and not in these pages, stay there.\n")) << shorter.text;
+  EXPECT_FALSE(fs::exists(place / "figure-2.svg"));
   EXPECT_EQ(rigor_says("study convergence --method rk4 --rungs 3 --problem short-A --quiet --resume --out " + (dir / "new").string()).text, "");  // nothing there yet
 }
 
