@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/studies/convergence.hpp>
 #include <rigor/studies/timing.hpp>
@@ -59,15 +60,19 @@ std::vector<Place> places(const std::vector<double>& h, const std::vector<double
 Fit fit_order(const std::vector<double>& h, const std::vector<double>& error, bool smooth) {
   Fit fit{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0, 0};
   const std::vector<Place> place = places(h, error, 300, smooth);
-  double x = 0, y = 0, xx = 0, xy = 0;
+  std::vector<double> x, y;
   for (std::size_t i = 0; i < h.size(); ++i) {
     ++(place[i] == Place::used ? fit.used : place[i] == Place::at_floor ? fit.at_floor : place[i] == Place::failed ? fit.failed : fit.too_coarse);
-    if (place[i] != Place::used) continue;
-    const double a = std::log2(h[i]), b = std::log2(error[i]);
-    x += a, y += b, xx += a * a, xy += a * b;
+    if (place[i] == Place::used) x.push_back(std::log2(h[i])), y.push_back(std::log2(error[i]));
   }
-  const double n = fit.used;
-  if (fit.used >= 3) fit.order = (n * xy - x * y) / (n * xx - x * x);
+  if (fit.used < 3) return fit;
+  const double n = fit.used, x_mean = std::accumulate(x.begin(), x.end(), 0.0) / n, y_mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0, xy = 0, left = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) xx += (x[i] - x_mean) * (x[i] - x_mean), xy += (x[i] - x_mean) * (y[i] - y_mean);
+  const double slope = xy / xx;
+  for (std::size_t i = 0; i < x.size(); ++i) left += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
+  const double standard_error = std::sqrt(left / (n - 2) / xx);
+  if (!smooth || standard_error <= 0.3) fit.order = slope;
   return fit;
 }
 double fitted_order(const std::vector<Run>& runs, int& used) {

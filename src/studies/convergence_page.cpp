@@ -51,7 +51,7 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
     const Problem& opened = **open_problem(problem.name, problem.rows[0]->cell.until);
     const double until = opened.until;
     report::Plot plot{"Attitude error against step: " + problem.name, "step h, s", "attitude error at the end, rad", true, true, {}};
-    Table fitted{"order, fitted over the asymptotic window: attitude within 0.1 rad, from where the order settles (0.3) to 300 times the smallest error where that is rounding; runs used, left out as too coarse, left out as at the floor; floor: all runs are at rounding, which has no order; -: fewer than three runs to fit",
+    Table fitted{"order, fitted over the asymptotic window: attitude within 0.1 rad, from where the order settles (0.3) to 300 times the smallest error where that is rounding; runs used, left out as too coarse, left out as at the floor; floor: all runs are at rounding, which has no order; -: fewer than three runs to fit, or runs on no line (standard error of the slope above 0.3)",
                  {"method", "stated", "attitude", "L", "energy", "position", "used", "coarse", "floor"}, {}, 1};
     const bool failures = std::any_of(problem.rows.begin(), problem.rows.end(), [](const Row* row) { return row->cell.steps > 0 && !row->failed.empty(); });
     if (failures) fitted.header.push_back("failed");

@@ -48,6 +48,18 @@ TEST(FittedOrder, LeavesOutRoundingAndWhatIsNotAsymptotic) {
   EXPECT_TRUE(std::isnan(fitted_order({runs[0], runs[1]}, used)));
 }
 
+// On the separatrix to T = 40 one run falls to one side and the next to the other: numbers, but no order.
+TEST(FittedOrder, IsNoneWhereTheRunsLieOnNoLine) {
+  const std::vector<double> h{8, 4, 2, 1}, power{6.4e-2, 1.6e-2, 4e-3, 1e-3}, scattered{6.4e-2, 2e-3, 3e-2, 1e-3};
+  EXPECT_NEAR(fit_order(h, power).order, 2, 1e-12);
+  EXPECT_TRUE(std::isnan(fit_order(h, scattered).order));
+  EXPECT_EQ(fit_order(h, scattered).used, 4);
+  // by hand, in binary logarithms: y = 5, 3, 2, 0 over x = 3, 2, 1, 0: slope (1.5 x 2.5 + 0.5 x 0.5) x 2 / 5 = 1.6, what is
+  // left +-0.1 and +-0.3, standard error sqrt(0.2 / 2 / 5) = 0.14
+  EXPECT_NEAR(fit_order(h, {32e-3, 8e-3, 4e-3, 1e-3}).order, 1.6, 1e-12);
+  EXPECT_FALSE(std::isnan(fit_order(h, scattered, false).order)) << "errors through impacts scatter about their order";
+}
+
 // Errors of a ladder of halvings: rounding is found by its size or by its flatness, and what is finer than it counts with it.
 TEST(Places, OfALadderThatComesToRounding) {
   using enum Place;
