@@ -188,7 +188,7 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
                                                             : nullptr;
   }
   const std::uint32_t index = std::uint32_t(i);
-  if (b.next < infinity) push({now.after(b.next), Event::Kind::own, false, index, index, b.flights, b.flights});
+  if (b.next < infinity) push({now.after(b.next), Event::Kind::own, PairContact::Kind::none, index, index, b.flights, b.flights});
   ledger_.skips.pairs_of += long(flying_) - 1;
   if (skips_.pairs) ledger_.skips.pairs += long(flying_) - 1;
   look(i);

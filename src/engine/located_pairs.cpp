@@ -46,7 +46,7 @@ void LocatedWorld::look(std::size_t i) {
   for (const std::uint32_t j : fresh_) {
     const std::uint32_t self = std::uint32_t(i), low = std::min(self, j), high = std::max(self, j);
     const PairEvent event = search_pair(low, high);
-    if (event.at.value() < infinity) push({event.at, Event::Kind::meeting, event.endless, low, high, bodies_[low].flights, bodies_[high].flights});
+    if (event.at.value() < infinity) push({event.at, Event::Kind::meeting, event.found, low, high, bodies_[low].flights, bodies_[high].flights});
     mine.known.push_back({j, bodies_[j].flights});
     Partners& theirs = partners_[j];
     if (theirs.known.size() > 2 * theirs.kept + 16) forget_void(theirs);
@@ -54,7 +54,7 @@ void LocatedWorld::look(std::size_t i) {
   }
   if (!stepping_.empty()) unwatched_.push_back(std::uint32_t(i));
   b.looked = to;
-  if (to < end) push({b.start.after(to), Event::Kind::look, false, std::uint32_t(i), std::uint32_t(i), b.flights, b.flights});
+  if (to < end) push({b.start.after(to), Event::Kind::look, PairContact::Kind::none, std::uint32_t(i), std::uint32_t(i), b.flights, b.flights});
 }
 
 void LocatedWorld::forget_void(Partners& partners) const {
@@ -76,23 +76,25 @@ PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   const LocatedBody &a = bodies_[i], &b = bodies_[j];
   if (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting) return {};
   const Moment base = a.start.since(b.start) > 0 ? a.start : b.start;
+  // until the run, or one of the flights, is over: the next flight is searched when it begins
+  const double longest = std::min({base.until(scene_.until), a.next - base.since(a.start), b.next - base.since(b.start)});
   if (skips_.pairs) {
-    // Out of reach: the spheres around them do not meet before the run, or one of the flights, is over; the next flight is
-    // searched when it begins. A thousandth to spare is far more than the rounding of positions of 1e9 sizes.
+    // Out of reach: the spheres around them do not meet before then. A thousandth to spare, and what places are rounded by.
     const auto centre = [&](const LocatedBody& body) {
       const double tau = base.since(body.start);
       return V(body.flight->start().p_WB + tau * (body.flight->start().v_WB + tau / 2 * body.flight->acceleration()));
     };
     const auto speed = [&](const LocatedBody& body) { return V(body.flight->start().v_WB + base.since(body.start) * body.flight->acceleration()); };
-    const double longest = std::min({base.until(scene_.until), a.next - base.since(a.start), b.next - base.since(b.start)});
     const double travel = longest * (norm<double>(V(speed(b) - speed(a))) + longest / 2 * norm<double>(V(b.flight->acceleration() - a.flight->acceleration())));
-    if (longest >= 0 && norm<double>(V(centre(b) - centre(a))) - travel > 1.001 * (size(i) + size(j)) / 2 + 1e-3 * travel) return {};
+    const auto rounding = [&](const LocatedBody& body) { return body.rounding + body.flight->rounding(base.since(body.start) + longest); };
+    const double rounded = rounding(a) + rounding(b);
+    if (longest >= 0 && norm<double>(V(centre(b) - centre(a))) - travel > 1.001 * (size(i) + size(j)) / 2 + 1e-3 * travel + rounded) return {};
     --ledger_.skips.pairs;
   }
-  const PairContact found = next_pair_contact(shape(i), *a.flight, base.since(a.start), shape(j), *b.flight, base.since(b.start), 0, base.until(scene_.until), a.rounding + b.rounding);
+  const PairContact found = next_pair_contact(shape(i), *a.flight, base.since(a.start), shape(j), *b.flight, base.since(b.start), 0, longest, a.rounding + b.rounding);
   summary_.steps += found.advances;
   if (found.kind == PairContact::Kind::none) return {};
-  return {base.after(found.time), found.kind == PairContact::Kind::endless};
+  return {base.after(found.time), found.kind};
 }
 
 void LocatedWorld::meet(const Event& event) {
@@ -103,7 +105,8 @@ void LocatedWorld::meet(const Event& event) {
   const Separation apart = separation(shape(i), a, shape(j), b);
   const double smallest = std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff());
   const double rounding = bodies_[i].rounding + bodies_[j].rounding, allowed = 1e-9 * smallest + touching_gap(shape(i), a, shape(j), b);
-  const char* trouble = event.endless ? "a search of a hundred thousand advances found no end"
+  const char* trouble = event.found == PairContact::Kind::endless ? "a search of a hundred thousand advances found no end"
+                        : event.found == PairContact::Kind::blurred ? too_coarse
                         : apart.gap < -allowed - rounding ? "begins inside another cuboid"
                         : apart.gap < -allowed && rounding > coarse * smallest ? too_coarse
                                                                                : nullptr;

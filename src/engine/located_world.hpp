@@ -6,6 +6,7 @@
 #include <rigor/collision/box_index.hpp>
 #include <rigor/engine/flight.hpp>
 #include <rigor/engine/located.hpp>
+#include <rigor/engine/pair_search.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -52,7 +53,7 @@ struct LocatedBody {
 /// When two cuboids meet next.
 struct PairEvent {
   Moment at = never;
-  bool endless = false;            // the search was given up there
+  PairContact::Kind found = PairContact::Kind::none;
 };
 
 /// Something to come. In order of time; of one moment: looks, then cuboids by index, then pairs.
@@ -60,7 +61,7 @@ struct Event {
   enum class Kind : std::uint8_t { look, own, meeting };
   Moment at;
   Kind kind;
-  bool endless;                    // a meeting whose search was given up
+  PairContact::Kind found;         // of a meeting
   std::uint32_t i, j;              // j of a meeting; i otherwise
   std::uint32_t flight_i, flight_j;
   friend bool operator>(const Event& a, const Event& b) {

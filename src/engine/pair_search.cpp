@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -73,7 +74,7 @@ PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, d
                               double since_B, double from, double limit, double slack) {
   const double r_A = norm<double>(A.size()) / 2, r_B = norm<double>(B.size()) / 2, W_A = flight_A.spin_bound(), W_B = flight_B.spin_bound();
   const double pull = norm<double>(V(flight_B.acceleration() - flight_A.acceleration()));
-  const double k = 1 + 1 / std::sqrt(3.0);
+  const double k = 1 + 1 / std::sqrt(3.0), thinnest = std::min(A.size().minCoeff(), B.size().minCoeff());
   PairContact found;
   double t = from;
   for (;;) {
@@ -82,15 +83,21 @@ PairContact next_pair_contact(const Cuboid<double>& A, const Flight& flight_A, d
     const double distance = norm<double>(d), speed = norm<double>(v);
     double safe = 0;
     bool touching = false;
-    const double clear = distance - r_A - r_B;
+    const auto rounded_at = [&](double time) { return flight_A.rounding(since_A + time) + flight_B.rounding(since_B + time) + slack; };
+    const double rounded = rounded_at(t), R = r_A + r_B + rounded, clear = distance - R;
     if (clear > 0) {  // the spheres around them: exact when both fall alike
       if (pull == 0) {
-        const double approach = -dot<double>(d, v), R = r_A + r_B, disc = approach * approach - speed * speed * (distance * distance - R * R);
-        safe = approach <= 0 || disc < 0 ? infinity : (distance * distance - R * R) / (approach + std::sqrt(disc));
+        // |d×v| and not the squares of d·v and of |d| |v|, whose difference is lost where they come from 1e8 sizes away
+        const double approach = -dot<double>(d, v), past = norm<double>(cross<double>(d, v)), half_chord = (speed * R - past) * (speed * R + past);
+        const double nearest = approach / speed / speed;
+        if (approach > 0 && half_chord >= 0) safe = clear * (distance + R) / (approach + std::sqrt(half_chord));
+        else if (approach > 0 && past < speed * (r_A + r_B + rounded_at(t + nearest))) safe = nearest / 2;  // by then it may not be known that they miss
+        else safe = infinity;
       } else {
         safe = first_root(clear, -speed, -pull);
       }
     }
+    if (!(safe > 0) && rounded > thinnest / 2) return {PairContact::Kind::blurred, t, found.advances};
     if (!(safe > 0) || safe < 0.05 * (r_A + r_B) / (speed + W_A * r_A + W_B * r_B)) {
       const double fastest = speed + W_A * r_A + W_B * r_B;
       // D and V must hold during the whole advance: it is cut where the distance could have grown by half the sizes
@@ -138,7 +145,7 @@ AxisBox swept_box(const Flight& flight, double radius, double from, double to, d
     places += std::fmax(std::fabs(box.low[k]), std::fabs(box.high[k]));
   }
   const double late = 8 * u * (std::fabs(t) + to);  // a time in double is off by no more
-  const double reach = radius * 1.001 + 1e-12 * places + late * (norm<double>(v) + (to + late) * norm<double>(a));
+  const double reach = radius * 1.001 + 1e-12 * places + flight.rounding(to) + late * (norm<double>(v) + (to + late) * norm<double>(a));
   for (int k = 0; k < 3; ++k) box.low[k] -= reach, box.high[k] += reach;
   return box;
 }

@@ -10,6 +10,7 @@ struct PairContact {
     none,      ///< they stay apart until the limit
     touch,     ///< at `time` they are within rounding of touching
     endless,   ///< a hundred thousand advances did not settle it
+    blurred,   ///< at `time` they come within reach, and places are rounded by more than half the thinnest edge
   };
   Kind kind = Kind::none;
   double time = 0;

@@ -276,6 +276,39 @@ TEST(LocatedStress, NothingTunnels) {
   EXPECT_NEAR(end[1].v_WB[1], 1e6, 1e-8);
   EXPECT_NEAR(end[1].p_WB[1], 5, 1e-5) << "20 - 25 m, turned back at the floor, two thicknesses off";
 }
+// Two cubes of which one comes from up to 1e18 sizes away, at 1e3 to 1e9 m/s, a tenth of a size off the middle: they meet; or, where
+// places are rounded by the size of what should meet, the pair is named or handed over with that reason.
+TEST(LocatedStress, NothingTunnelsFromFarAway) {
+  int met = 0, told = 0;
+  for (const double speed : {1e3, 3e5, 1e7, 1e9})
+    for (const double size : {1.0, 1e-3, 1e-6})
+      for (const double T : {1e-2, 1.0, 1e3})
+        for (int k = 0; k < 4; ++k) {
+          Scene s;
+          s.method = "located", s.gravity = zero3<double>(), s.until = 2 * T, s.every = T;
+          s.surface = *Surface<double>::make(1, 0, 0);
+          State<double> a, b;
+          a.p_WB = V(-speed * T * (1 + 0.013 * k), 0, 0), a.v_WB = V(speed, 0, 0);
+          b.p_WB = V(0, 0.1 * size, 0.05 * size);
+          const auto cube = *Cuboid<double>::make(1, {size, size, size});
+          s.bodies = {{cube, a}, {cube, b}};
+          std::vector<State<double>> end;
+          const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+          ASSERT_TRUE(run);
+          const double rounded = 0x1p-53 * speed * T;  // half a unit in the last place of where it comes from
+          if (rounded < 1e-6 * size) {                 // 64 u, sixteen of each of two places and two terms, is below a thousandth
+            EXPECT_GE(run->ledger.pair_impacts, 1) << speed << ' ' << size << ' ' << T;
+            EXPECT_TRUE(run->handed_over.empty()) << speed << ' ' << size << ' ' << T;
+            EXPECT_LT(end[0].p_WB[0], end[1].p_WB[0]) << "head on, they part to the sides they came from";
+            ++met;
+          } else {
+            EXPECT_FALSE(run->handed_over.empty() && run->ledger.pair_impacts == 0) << speed << ' ' << size << ' ' << T;
+            ++told;
+          }
+        }
+  EXPECT_GE(met, 30);
+  EXPECT_GE(told, 30);
+}
 // Two cubes that slide at each other on a floor with a spin about the normal, a step three times as long as they are: wherever
 // the steps fall they meet, and neither comes out on the other's side. So does a small one in flight with one in the stepper.
 TEST(LocatedStress, NothingTunnelsInTheStepper) {
