@@ -19,8 +19,9 @@ std::string_view line_of(std::string_view file, std::string_view id) {
 }  // namespace
 
 std::string formula_text(std::string_view id) {
-  const std::string_view line = line_of(text_named("typeset.tsv", texts()), id);
-  return std::string(line.substr(0, line.find('\t')));
+  for (const char* file : {"typeset.tsv", "problems.tsv"})
+    if (const std::string_view line = line_of(text_named(file, texts()), id); !line.empty()) return std::string(line.substr(0, line.find('\t')));
+  return "";
 }
 
 std::string formula_html(std::string_view id) {

@@ -3,7 +3,7 @@
 
 namespace rigor::report {
 
-/// What src/view/web/bundle.cmake makes for reports, and src/formulas/typeset.tsv.
+/// What src/view/web/bundle.cmake makes for reports, src/formulas/typeset.tsv and src/studies/problems.tsv.
 const std::vector<Text>& texts();
 
 }  // namespace rigor::report

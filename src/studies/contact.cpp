@@ -128,19 +128,19 @@ struct Recipe {
 const std::vector<Recipe>& recipes() {
   static const std::vector<double> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
   static const std::vector<Recipe> all{
-      {{"p-01-one", "case P-01 through one impact: a cube falls 1 m onto its corner, the centre straight above, g = 9.81, e = 0.8; height at t = 0.8 s", "free fall, the speed times e at t1 = sqrt(2H/g); error in m", "restitution", {0.8}},
+      {{"p-01-one", "case P-01 through one impact: a cube falls 1 m onto its corner, the centre straight above, g = 9.81, e = 0.8; height at t = 0.8 s", "free fall, the speed times e at t1 = sqrt(2H/g)", "m", "restitution", {0.8}},
        [](double e) { return bounce(0.8, e); }},
-      {{"p-01-many", "case P-01 through nine impacts: the same at t = 3.5 s", "free falls with speeds u e^n between t1 (1 + 2e + 2e^2 + ...); error in m", "restitution", {0.8}},
+      {{"p-01-many", "case P-01 through nine impacts: the same at t = 3.5 s", "free falls with speeds u e^n between t1 (1 + 2e + 2e^2 + ...)", "m", "restitution", {0.8}},
        [](double e) { return bounce(3.5, e); }},
-      {{"p-04", "case P-04: first apex over the height of the drop of the same cube, for e in eighths", "e^2; error is the difference", "restitution", eighths}, [](double e) { return apex(e, {0.5, 0.5, 0.5}, on_its_corner(1)); }},
-      {{"p-11", "case P-11: the same of a slab that lands flat, on four corners at once", "e^2; error is the difference. The stepper takes the corners one after the other: the slab starts to turn, and no step makes that right",
+      {{"p-04", "case P-04: first apex over the height of the drop of the same cube, for e in eighths", "e^2; error is the difference", "of the drop", "restitution", eighths}, [](double e) { return apex(e, {0.5, 0.5, 0.5}, on_its_corner(1)); }},
+      {{"p-11", "case P-11: the same of a slab that lands flat, on four corners at once", "e^2; error is the difference. The stepper takes the corners one after the other: the slab starts to turn, and no step makes that right", "of the drop",
         "restitution", eighths},
        [](double e) { return apex(e, {0.5, 0.25, 1}, at_height(1.125)); }},
       {{"p-07", "case P-07: a slab 1 x 0.5 m, spinning at 7 rad/s about a horizontal axis, centre at 2 m: when does it touch the floor?",
-        "0.550155514682812044601547416719 s, root of 2 - g t^2/2 = |sin 7t|/2 + |cos 7t|/4; error in s", "", {0}},
+        "0.550155514682812044601547416719 s, root of 2 - g t^2/2 = |sin 7t|/2 + |cos 7t|/4", "s", "", {0}},
        [](double) { return first_touch(); }},
-      {{"fr-02", "case FR-02: a block slides down 30 degrees with mu = 0.4, from rest, 1 s", "g (sin - mu cos) t^2/2; error in m", "", {0}}, [](double) { return incline(); }},
-      {{"fr-04", "case FR-04: a block at 3 m/s on a level floor, mu = 0.3: where does it stop?", "v^2/(2 mu g) along the way it went, 16 azimuths; error in m", "azimuth, degrees",
+      {{"fr-02", "case FR-02: a block slides down 30 degrees with mu = 0.4, from rest, 1 s", "g (sin - mu cos) t^2/2", "m", "", {0}}, [](double) { return incline(); }},
+      {{"fr-04", "case FR-04: a block at 3 m/s on a level floor, mu = 0.3: where does it stop?", "v^2/(2 mu g) along the way it went, 16 azimuths", "m", "azimuth, degrees",
         {0, 22.5, 45, 67.5, 90, 112.5, 135, 157.5, 180, 202.5, 225, 247.5, 270, 292.5, 315, 337.5}},
        stop},
   };

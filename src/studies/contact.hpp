@@ -8,7 +8,8 @@ namespace rigor::studies {
 struct ContactProblem {
   std::string name;
   std::string says;
-  std::string answer;     ///< the closed form, and what the error measures, with its unit
+  std::string answer;     ///< the closed form, and what the error measures
+  std::string unit;       ///< of the error
   std::string x;          ///< what Cell::x sweeps
   std::vector<double> sweep;
 };

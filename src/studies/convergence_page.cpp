@@ -56,11 +56,11 @@ StudyPage convergence_page(const std::vector<Row>& rows) {
     const bool failures = std::any_of(problem.rows.begin(), problem.rows.end(), [](const Row* row) { return row->cell.steps > 0 && !row->failed.empty(); });
     if (failures) fitted.header.push_back("failed");
     const std::vector<std::string> errors{"attitude, rad", "L", "energy", "position, m"};
-    Table last{"errors at the finest step", {"method", "h, s"}, {}, 1};
-    Table without{"ways without a step: errors by tolerance, or of the closed form", {"method", "tolerance"}, {}, 1};
+    Table last{"errors at the finest step; L and energy relative", {"method", "h, s"}, {}, 1};
+    Table without{"ways without a step: errors by tolerance, or of the closed form; L and energy relative", {"method", "tolerance"}, {}, 1};
     for (Table* t : {&last, &without}) t->header.insert(t->header.end(), errors.begin(), errors.end());
     Table pairs{"order from one step to its half (attitude); floor: the finer one is within ten times of rounding", {"method"}, {}, 1};
-    Table gci{"three systematically refined results (ASME V&V 20): one entry of the attitude at the end, extrapolated (Richardson); the grid convergence index says how far off the finest is; near 1: needed of results in the asymptotic range, not enough, for any two that are close give it; the order must be the method's, too",
+    Table gci{"three systematically refined results (ASME V&V 20): one entry of the attitude at the end, extrapolated (Richardson), no unit; the grid convergence index says how far off the finest is; near 1: needed of results in the asymptotic range, not enough, for any two that are close give it; the order must be the method's, too",
               {"method", "steps", "order", "finest", "extrapolated", "its true error", "GCI, finest", "true error, finest", "near 1"}, {}, 1};
     for (const Group& g : by_method(problem.rows)) {
       const auto errors_line = [](const Row& row, const std::string& setting) {

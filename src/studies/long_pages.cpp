@@ -63,7 +63,7 @@ StudyPage stability_page(const std::vector<Row>& rows) {
       page.sections.push_back(angles);
       continue;
     }
-    Section s{problem.name + ": " + map->says, {}, {}, {}, {}};
+    Section s{problem.name + ": " + map->says, {}, {}, {}, {}, {}};
     const char* criterion = problem.name == "mass" ? "Unstable: a cube flies off or falls through the floor within 4 s. Inaccurate: an overlap above 1 cm."
                                                    : "10000 steps. Unstable: it leaves the numbers, or its energy leaves a tenth. Inaccurate: stable, but the attitude is off by more than 0.1 rad after one turn.";
     Table stable{"largest " + map->x + ", up to which every step of the map is stable, by " + map->y + "; -: not even the smallest. " + criterion, {"method"}, {}, 1};
@@ -107,16 +107,16 @@ StudyPage contact_page(const std::vector<Row>& rows) {
     const ContactProblem* known = nullptr;
     for (const ContactProblem& p : contact_problems())
       if (p.name == problem.name) known = &p;
-    Section s{problem.name, {known->says + (known->says.ends_with("?") ? "" : "."), "Answer: " + known->answer + "."}, {}, {}, {}};
+    Section s{problem.name, {known->says + (known->says.ends_with("?") ? "" : "."), "Answer: " + known->answer + "."}, {}, {}, {}, {}};
     const bool swept = known->sweep.size() > 1;
-    report::Plot plot{(swept ? "Worst error against step: " : "Error against step: ") + problem.name, "step, s", swept ? "worst error of the sweep" : "error", true, true, {}};
-    Table t{swept ? "worst error over the sweep, and of the energy ledger" : "error, and the energy ledger", {"method", "steps/s", swept ? "worst error" : "error"}, {}, 1};
+    report::Plot plot{(swept ? "Worst error against step: " : "Error against step: ") + problem.name, "step, s", (swept ? "worst error of the sweep, " : "error, ") + known->unit, true, true, {}};
+    Table t{swept ? "worst error over the sweep, and of the energy ledger" : "error, and the energy ledger", {"method", "steps/s", (swept ? "worst error, " : "error, ") + known->unit}, {}, 1};
     if (swept) t.header.push_back("at " + known->x);
     t.header.insert(t.header.end(), {"steps' own, J", "impacts"});
     Table orders{"order of the error, fitted, with its interval of 95 %; runs used, left out as too coarse (0.1 and more), left out as at rounding, failed; -: fewer than three runs to fit. "
                  "Where in its step an impact falls is chance: errors scatter about their order, and half a step may see it no sooner",
                  {"method", "order", "+-", "used", "coarse", "floor", "failed"}, {}, 1};
-    Table sweep{"error by " + known->x, {known->x}, {}, 1};
+    Table sweep{"error, " + known->unit + ", by " + known->x, {known->x}, {}, 1};
     std::vector<std::vector<double>> columns;
     for (const Group& method : by_method(problem.rows)) {
       report::Series series{method.name, {}, {}};

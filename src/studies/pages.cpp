@@ -17,7 +17,7 @@ StudyPage study_page(const std::string& kind, const std::vector<Row>& rows, cons
       StudyPage page = k.make(rows);
       page.command = command;
       if (rows.size() < cells) page.unfinished = std::to_string(rows.size()) + " of " + std::to_string(cells) + " cells; interrupted";
-      Section gone{"Failures", {}, {}, {}, {}};
+      Section gone{"Failures", {}, {}, {}, {}, {}};
       Table failures{"runs that failed: they are rows without numbers above", {"problem", "method", "steps", "tolerance", "why"}, {}, 5};
       for (const Row& row : rows) {
         const std::vector<std::string> line{row.cell.problem, row.cell.method, std::to_string(row.cell.steps), digits(row.cell.tolerance), row.failed};
@@ -59,8 +59,8 @@ std::vector<Group> by_method(const std::vector<const Row*>& rows) {
 
 Section problem_section(const Cell& cell) {
   const Problem& problem = **open_problem(cell.problem, cell.until);
-  if (cell.study == "drift" || cell.study == "stability") return {cell.problem, {problem.says + "."}, equations(problem), {}, {}};  // to no end of its own
-  return {cell.problem, {problem.says + ", T = " + digits(problem.until) + " s.", "Reference: " + problem.reference + "."}, equations(problem), {}, {}};
+  if (cell.study == "drift" || cell.study == "stability") return {cell.problem, {problem.says + "."}, laws(problem), equations(problem), {}, {}};  // to no end of its own
+  return {cell.problem, {problem.says + ", T = " + digits(problem.until) + " s.", "Reference: " + problem.reference + "."}, laws(problem), equations(problem), {}, {}};
 }
 
 void set_aside(report::Plot& plot, const std::vector<std::string>& kept) {

@@ -167,15 +167,19 @@ const Problem* find_problem(const std::string& name) {
   return problem ? *problem : nullptr;
 }
 
+std::vector<std::string> laws(const Problem& p) {
+  if (p.falls) return {"motion.free"};
+  return {"motion.loaded", "load." + p.name};
+}
+
 std::vector<std::string> equations(const Problem& p) {
   const auto vector = [](const V& v) { return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")"; };
   const auto turned = [](const V& v) {  // out of world axes: the last digit is that of the turn, 0.29999999999999998 for 0.3
     return fmt::format("({}, {}, {})", brief(v[0], "%.15g"), brief(v[1], "%.15g"), brief(v[2], "%.15g"));
   };
   const Vec4<double> q = quaternion_of<double>(p.start.R_WB);
-  return {"m p\" = F" + (p.falls ? " = m " + vector(*p.falls) : std::string("(t)")) + ",  I w' + w x I w = R^T tau" + (p.falls ? " = 0" : "(t)") + ",  R' = R [w]x  (w in body axes)",
-          "m = " + digits(p.body.mass()) + " kg,  I = " + vector(p.body.inertia()) + " kg m^2",
-          "at t = 0:  p = " + vector(p.start.p_WB) + " m,  p' = " + vector(p.start.v_WB) + " m/s,  w = " + turned(apply_transposed<double>(p.start.R_WB, p.start.w_WB)) +
+  return {"m = " + digits(p.body.mass()) + " kg,  I = " + vector(p.body.inertia()) + " kg m²" + (p.falls ? ",  g = " + vector(*p.falls) + " m/s²" : ""),
+          "at t = 0:  x = " + vector(p.start.p_WB) + " m,  v = " + vector(p.start.v_WB) + " m/s,  ω = " + turned(apply_transposed<double>(p.start.R_WB, p.start.w_WB)) +
               " rad/s",
           fmt::format("          R of the quaternion ({}, {}, {}, {})", digits(q[0]), digits(q[1]), digits(q[2]), digits(q[3]))};
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <fstream>
+#include <rigor/report/formula.hpp>
 #include <rigor/report/html.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/studies/report.hpp>
@@ -105,6 +106,7 @@ std::string page_html(const StudyPage& page) {
   for (const Section& s : page.sections) {
     out.body += "<h2>" + escape(s.heading) + "</h2>";
     for (const std::string& text : s.text) out.body += "<p>" + escape(text) + "</p>";
+    for (const std::string& id : s.laws) out.body += "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">" + report::formula_html(id) + "</div>";
     if (!s.equations.empty()) {
       out.body += "<pre>";
       for (const std::string& line : s.equations) out.body += escape(line) + "\n";
@@ -130,8 +132,9 @@ std::string page_markdown(const StudyPage& page) {
   for (const Section& s : page.sections) {
     out += "\n## " + s.heading + "\n";
     for (const std::string& text : s.text) out += "\n" + text + "\n";
-    if (!s.equations.empty()) {
+    if (!s.laws.empty() || !s.equations.empty()) {
       out += "\n```\n";
+      for (const std::string& id : s.laws) out += report::formula_text(id) + "\n";
       for (const std::string& line : s.equations) out += line + "\n";
       out += "```\n";
     }

@@ -86,8 +86,8 @@ StudyPage work_page(const std::vector<Row>& rows) {
   for (const Group& problem : by_problem(rows)) {
     Section s = problem_section(problem.rows[0]->cell);
     report::Plot plot{"Processor time against attitude error: " + problem.name, "attitude error at the end, rad", "processor time, s", true, true, {}};
-    Table reach{"cheapest median processor time, microseconds, that reaches an attitude error", {"method", "1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-9", "1e-10", "1e-12", "1e-13", "least error"}, {}, 1};
-    Table all{"every run", {"method", "setting", "attitude, rad", "L", "energy", "position, m", "evaluations", "CPU min, us", "median", "wall min, us", "median"}, {}, 2, true};
+    Table reach{"cheapest median processor time, microseconds, that reaches an attitude error in rad", {"method", "1e-2", "1e-3", "1e-4", "1e-6", "1e-8", "1e-9", "1e-10", "1e-12", "1e-13", "least error"}, {}, 1};
+    Table all{"every run; L and energy relative; each median is of the time before it", {"method", "setting", "attitude, rad", "L", "energy", "position, m", "evaluations", "CPU min, us", "median", "wall min, us", "median"}, {}, 2, true};
     bool peers = false;
     for (const Group& method : by_method(problem.rows)) {
       report::Series series{method.name, {}, {}, true, of_a_peer(*method.rows[0])};
@@ -127,7 +127,7 @@ StudyPage work_page(const std::vector<Row>& rows) {
   Section how{"How it was measured",
               {"Thread processor time and wall time of a run from the start to the end of the problem: a warm-up, then seven samples of at least 2 ms each (three where a run takes longer than 0.2 s; "
                "peers: one run a sample, without making their world). An error of 0 is drawn nowhere: it is below the smallest double that a difference can have."},
-              {}, {}, {}};
+              {}, {}, {}, {}};
   for (const std::string& note : notes) how.text.push_back(note + ".");
   page.sections.push_back(how);
   return page;

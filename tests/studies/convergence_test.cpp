@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <rigor/base/file.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <rigor/report/formula.hpp>
 #include <rigor/studies/convergence.hpp>
 
 namespace rigor::studies {
@@ -92,6 +93,16 @@ TEST(Problems, ABodyWithoutSpinHasErrorsThatAreNumbers) {
   EXPECT_EQ(e.momentum, 0);
   EXPECT_LT(e.energy, 1e-14);
   EXPECT_LT(e.position, 1e-14);
+}
+
+TEST(Problems, SayTheirLawsAndWhatTheyStartFrom) {
+  for (const std::string& name : problem_names()) {
+    const Problem& p = *find_problem(name);
+    EXPECT_EQ(laws(p), p.falls ? std::vector<std::string>{"motion.free"} : (std::vector<std::string>{"motion.loaded", "load." + name}));
+    for (const std::string& id : laws(p)) EXPECT_NE(report::formula_text(id), "") << id;
+  }
+  EXPECT_EQ(equations(*find_problem("thrown"))[0].substr(0, 11), "m = 10 kg, ");
+  EXPECT_NE(equations(*find_problem("thrown"))[0].find("g = (0, -9.8, 0) m/s²"), std::string::npos);
 }
 
 TEST(Problems, HaveAReferenceThatKeepsWhatThePhysicsKeeps) {

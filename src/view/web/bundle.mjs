@@ -10,7 +10,8 @@ const out = process.argv[2], here = dirname(fileURLToPath(import.meta.url));
 const packages = createRequire(join(out, 'package.json')), {buildSync} = packages('esbuild'), katex = packages('katex');
 
 // the formulas as MathML, which a browser shows without a script or a font: id, tab, markup
-const formulas = readFileSync(join(here, '../../formulas/typeset.tsv'), 'utf8').trim().split('\n').slice(1).map(line => line.split('\t'));
+const lines = file => readFileSync(join(here, '../..', file), 'utf8').trim().split('\n').slice(1);
+const formulas = ['formulas/typeset.tsv', 'studies/problems.tsv'].flatMap(lines).map(line => line.split('\t'));
 const markup = tex => katex.renderToString(tex, {output: 'mathml', displayMode: true, throwOnError: true}).replace(/^<span class="katex">|<\/span>$/g, '');
 writeFileSync(join(out, 'formulas.mathml'), formulas.map(([id, , tex]) => `${id}\t${markup(tex)}\n`).join(''));
 
