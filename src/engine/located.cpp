@@ -21,9 +21,9 @@ LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const Locate
       bodies_(scene.bodies.size()), boxes_(scene.bodies.size()), partners_(scene.bodies.size()), known_(scene.bodies.size(), false), met_(scene.bodies.size(), false) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const SceneBody& b = scene.bodies[i];
-    ledger_.energy.start += energy(i, b.start);
-    ledger_.linear.start += b.shape.mass() * b.start.v_WB;
-    ledger_.angular.start += angular(i, b.start);
+    energy_.start += energy(i, b.start);
+    linear_.start += b.shape.mass() * b.start.v_WB;
+    angular_.start += angular(i, b.start);
     bodies_[i].phase = LocatedBody::Phase::stepping;  // unknown to each other until begun
     bodies_[i].stride = size(i);
   }
@@ -82,15 +82,29 @@ void LocatedWorld::finish(double t) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const State<double> s = state_at(bodies_[i], t);
     if (bodies_[i].flight) account(i, bodies_[i].start.until(t));
-    ledger_.energy.end += energy(i, s);
-    ledger_.linear.end += scene_.bodies[i].shape.mass() * s.v_WB;
-    ledger_.angular.end += angular(i, s);
+    energy_.end += energy(i, s);
+    linear_.end += scene_.bodies[i].shape.mass() * s.v_WB;
+    angular_.end += angular(i, s);
     ledger_.worst_orthonormality = std::fmax(ledger_.worst_orthonormality, orthonormality_defect<double>(s.R_WB));
     if (bodies_[i].phase == LocatedBody::Phase::stepping) summary_.handed_over[bodies_[i].reported].to = t;
   }
+  // what is left over is summed as carefully as what it is left of
+  Carried<double> left;
+  const auto give = [&](double& account, const Carried<double>& sum, double sign) {
+    account = sum.value();
+    left += sign * sum.sum, left += sign * sum.carry;
+  };
   Ledger::Energy& e = ledger_.energy;
-  e.worst_drift = std::fabs(e.end - e.start - e.correction - e.switched + e.restitution_loss + e.friction_loss);
-  for (Ledger::Momentum* m : {&ledger_.linear, &ledger_.angular}) m->worst_drift = norm<double>(V(m->end - m->start - m->external));
+  give(e.end, energy_.end, 1), give(e.start, energy_.start, -1), give(e.correction, energy_.correction, -1), give(e.switched, energy_.switched, -1);
+  give(e.restitution_loss, energy_.restitution_loss, 1), give(e.friction_loss, energy_.friction_loss, 1);
+  e.worst_drift = std::fabs(left.value());
+  for (const auto& [account, sums] : {std::pair(&ledger_.linear, &linear_), std::pair(&ledger_.angular, &angular_)}) {
+    account->start = sums->start.value(), account->external = sums->external.value(), account->end = sums->end.value();
+    Carried<V> drift;
+    for (const V& term : {sums->end.sum, sums->end.carry}) drift += term;
+    for (const V& term : {sums->start.sum, sums->start.carry, sums->external.sum, sums->external.carry}) drift -= term;
+    account->worst_drift = norm<double>(drift.value());
+  }
 }
 
 State<double> LocatedWorld::state_at(const LocatedBody& b, double t) {
@@ -110,16 +124,16 @@ V LocatedWorld::angular(std::size_t i, const State<double>& s) const {
 void LocatedWorld::account(std::size_t i, double tau) {
   const Flight& f = *bodies_[i].flight;
   const V moved = tau * f.start().v_WB + tau * tau / 2 * f.acceleration();
-  ledger_.linear.external += shape(i).mass() * tau * f.acceleration();
-  ledger_.angular.external += shape(i).mass() * cross<double>(V(tau * f.start().p_WB + tau * tau / 2 * f.start().v_WB), f.acceleration());
-  if (bodies_[i].support >= 0) ledger_.energy.friction_loss -= shape(i).mass() * dot<double>(V(f.acceleration() - gravity_), moved);
+  linear_.external += shape(i).mass() * tau * f.acceleration();
+  angular_.external += shape(i).mass() * cross<double>(V(tau * f.start().p_WB + tau * tau / 2 * f.start().v_WB), f.acceleration());
+  if (bodies_[i].support >= 0) energy_.friction_loss -= shape(i).mass() * dot<double>(V(f.acceleration() - gravity_), moved);
 }
 
 void LocatedWorld::act(const SceneAction& action) {
   const V before = gravity_;
   gravity_ = action.what == SceneAction::Do::gravity_on ? scene_.gravity : zero3<double>();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    ledger_.energy.switched += shape(i).mass() * dot<double>(V(before - gravity_), state_at(bodies_[i], action.at).p_WB);
+    energy_.switched += shape(i).mass() * dot<double>(V(before - gravity_), state_at(bodies_[i], action.at).p_WB);
     if (!bodies_[i].flight) continue;
     const double tau = bodies_[i].start.until(action.at);
     const V now = gravity_;

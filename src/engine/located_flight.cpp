@@ -76,8 +76,8 @@ bool LocatedWorld::hit(std::size_t i, State<double>& s, const Plane<double>& pla
   s.v_WB = result.after.B.v_WB;
   s.w_WB = whole ? zero3<double>() : result.after.B.w_WB;
   ++ledger_.plane_impacts, note(result.report);
-  ledger_.linear.external += result.report.j_W;
-  ledger_.angular.external += cross<double>(whole ? s.p_WB : V(s.p_WB + arm), result.report.j_W);
+  linear_.external += result.report.j_W;
+  angular_.external += cross<double>(whole ? s.p_WB : V(s.p_WB + arm), result.report.j_W);
   return true;
 }
 
@@ -128,9 +128,9 @@ bool LocatedWorld::lie(std::size_t i, const Moment& now, State<double> s, int su
   if (spins && rough) return false;
   s.w_WB = spins ? V(dot<double>(s.w_WB, n) * n) : zero3<double>();
   s.v_WB -= leave * n;
-  ledger_.linear.external -= shape(i).mass() * leave * n;  // of the bounces left out
-  ledger_.angular.external -= cross<double>(s.p_WB, V(shape(i).mass() * leave * n));
-  ledger_.energy.restitution_loss += shape(i).mass() * leave * leave / 2;
+  linear_.external -= shape(i).mass() * leave * n;  // of the bounces left out
+  angular_.external -= cross<double>(s.p_WB, V(shape(i).mass() * leave * n));
+  energy_.restitution_loss += shape(i).mass() * leave * leave / 2;
   const double speed = norm<double>(s.v_WB);
   const auto at_rest = [&] {
     s.v_WB = zero3<double>();
@@ -204,8 +204,8 @@ void LocatedWorld::land(std::size_t i) {
 
 void LocatedWorld::note(const ImpactReport<double>& report) {
   if (++ledger_.impacts >= most_impacts) summary_.stopped = "ten million impacts";
-  ledger_.energy.restitution_loss += report.restitution_loss;
-  ledger_.energy.friction_loss += report.friction_loss;
+  energy_.restitution_loss += report.restitution_loss;
+  energy_.friction_loss += report.friction_loss;
   ledger_.energy_rises += report.energy_rose;
 }
 

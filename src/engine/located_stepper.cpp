@@ -71,8 +71,8 @@ void LocatedWorld::step_all(double t) {
     LocatedBody& b = bodies_[i];
     const double h = b.start.until(t);
     const V weight = shape(i).mass() * gravity_;
-    ledger_.linear.external += h * weight;
-    ledger_.angular.external += h * cross<double>(V(b.state.p_WB + h / 2 * b.state.v_WB), weight);
+    linear_.external += h * weight;
+    angular_.external += h * cross<double>(V(b.state.p_WB + h / 2 * b.state.v_WB), weight);
     b.state = exact.step(shape(i), motion_of(shape(i), b.state), {weight, zero3<double>()}, h).state;
     b.state.R_WB = gram_schmidt<double>(b.state.R_WB);
     b.start = Moment{t, 0};
@@ -203,8 +203,8 @@ bool LocatedWorld::respond(std::size_t i, const Plane<double>& plane) {
   const PlaneResponse<double> response = respond_to_plane<double>(shape(i), b.state, plane, scene_.surface, scene_.friction_law, weight);
   if (response.corners == 0) return false;
   moved(i, response.shift);
-  ledger_.linear.external += shape(i).mass() * (response.after.v_WB - b.state.v_WB);
-  ledger_.angular.external += angular(i, response.after) - angular(i, b.state);
+  linear_.external += shape(i).mass() * (response.after.v_WB - b.state.v_WB);
+  angular_.external += angular(i, response.after) - angular(i, b.state);
   for (const ImpactReport<double>& report : response.reports)
     if (!report.separating) ++ledger_.plane_impacts, note(report);
   b.state = response.after;
@@ -221,7 +221,7 @@ bool LocatedWorld::push_apart(std::size_t i, std::size_t j) {
   contact.n_AB_W = found.n_AB_W;
   a.p_WB -= shift, b.p_WB += shift;
   moved(i, V(-shift)), moved(j, shift);
-  ledger_.angular.external += cross<double>(shift, V(shape(j).mass() * b.v_WB - shape(i).mass() * a.v_WB));
+  angular_.external += cross<double>(shift, V(shape(j).mass() * b.v_WB - shape(i).mass() * a.v_WB));
   contact.A = {shape(i).inverse_mass(), world_inverse_inertia<double>(a.R_WB, shape(i).inverse_inertia()), V(point - a.p_WB)};
   contact.B = {shape(j).inverse_mass(), world_inverse_inertia<double>(b.R_WB, shape(j).inverse_inertia()), V(point - b.p_WB)};
   const auto frictionless = *Surface<double>::make(scene_.surface.restitution(), 0, 0);
@@ -237,7 +237,7 @@ bool LocatedWorld::push_apart(std::size_t i, std::size_t j) {
 }
 
 void LocatedWorld::moved(std::size_t i, const V& shift) {
-  ledger_.energy.correction -= shape(i).mass() * dot<double>(gravity_, shift);
+  energy_.correction -= shape(i).mass() * dot<double>(gravity_, shift);
   ledger_.deepest_penetration = std::fmax(ledger_.deepest_penetration, norm<double>(shift));
 }
 

@@ -7,6 +7,7 @@
 #include <rigor/engine/flight.hpp>
 #include <rigor/engine/located.hpp>
 #include <rigor/engine/pair_search.hpp>
+#include <rigor/linalg/carried.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@ namespace rigor {
 struct Moment {
   double hi = 0, lo = 0;
   Moment after(double tau) const {
-    const double sum = hi + tau, part = sum - hi, error = (hi - (sum - part)) + (tau - part);
+    const auto [sum, error] = two_sum<double>(hi, tau);
     return {sum, lo + error};
   }
   double value() const { return hi + lo; }
@@ -166,7 +167,13 @@ class LocatedWorld {
   const Scene& scene_;
   RunSummary& summary_;
   const LocatedObserver& observe_impact_;
-  Ledger& ledger_;
+  Ledger& ledger_;                     // counts and extremes; what is summed up gets there in finish
+  struct Momentum {
+    Carried<Vec3<double>> start, external, end;
+  } linear_, angular_;
+  struct {
+    Carried<double> start, restitution_loss, friction_loss, correction, switched, end;
+  } energy_;
   Vec3<double> gravity_;
   Skips skips_;
   std::vector<LocatedBody> bodies_;

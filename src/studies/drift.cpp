@@ -1,5 +1,6 @@
 #include <cmath>
 #include <rigor/base/interrupt.hpp>
+#include <rigor/linalg/carried.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/drift.hpp>
 
@@ -14,17 +15,6 @@ double student_t(int freedom) {
                           2.120,  2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042};
   return freedom <= 30 ? t[freedom - 1] : 1.96 + 2.4 / freedom;
 }
-
-// A sum with the roundings of its terms carried (Neumaier 1974).
-struct Carried {
-  double sum = 0, carry = 0;
-  void add(double x) {
-    const double t = sum + x;
-    carry += std::fabs(sum) >= std::fabs(x) ? (sum - t) + x : (x - t) + sum;
-    sum = t;
-  }
-  double value() const { return sum + carry; }
-};
 
 }  // namespace
 
@@ -58,7 +48,7 @@ Drift drift_of(const Problem& problem, const Method& method, double h, long step
   double last = 1, sum = 0, squares = 0, stretch_sum = 0;
   const long stretch = std::max(1L, steps / 40);
   std::vector<double> means;
-  Carried way[3];
+  Carried<double> way[3];
   for (; d.steps < steps && interrupted() == 0; ++d.steps) {
     if (compensated) m.state.p_WB = zero3<double>();
     m = method.step(problem.body, m, {}, h);
@@ -74,7 +64,7 @@ Drift drift_of(const Problem& problem, const Method& method, double h, long step
     const long double t = static_cast<long double>(h) * (d.steps + 1);
     double off = 0;
     for (int i = 0; i < 3; ++i) {
-      if (compensated) way[i].add(m.state.p_WB[i]);
+      if (compensated) way[i] += m.state.p_WB[i];
       const long double x = compensated ? static_cast<long double>(way[i].sum) + way[i].carry : static_cast<long double>(m.state.p_WB[i]);
       off = std::fmax(off, double(std::fabs(x - start.v_WB[i] * t)));
     }

@@ -28,6 +28,27 @@ TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
 }
 
+// Eight cubes of 2^-8 J and one of 2^46 J land flat without gravity, e = 1/2, the one first: it loses 3/4 of 2^46 J, whose last bit is
+// 2^-7 J, then each of the eight 3/4 of 2^-8 J. Every number is a power of two or three of them, so the account is exact.
+TEST(LocatedLedger, ASmallLossIsNotLostBesideAGreatOne) {
+  Scene s;
+  s.method = "located", s.gravity = zero3<double>(), s.until = 1;
+  s.surface = *Surface<double>::make(0.5, 0, 0);
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  for (int k = 0; k < 9; ++k) {
+    State<double> start;
+    start.p_WB = k < 8 ? V(2 * k, 0.5 + 0x1p-5, 0) : V(16, 0.5 + 0x1p13, 0);
+    start.v_WB = V(0, k < 8 ? -0x1p-4 : -0x1p23, 0);
+    s.bodies.push_back({*Cuboid<double>::make(2, {1, 1, 1}), start});
+  }
+  const auto run = simulate_located(s, nothing);
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->ledger.plane_impacts, 9);
+  EXPECT_EQ(run->ledger.energy.start, 0x1p46 + 0x1p-5) << "its last bit is 2^-6 J";
+  EXPECT_EQ(run->ledger.energy.worst_drift, 0);
+  EXPECT_EQ(run->ledger.linear.worst_drift, 0);
+}
+
 // The assignment's scene is handed over in part, and all of its energy and momentum are explained.
 TEST(LocatedLedger, ExplainsTheAssignmentsScene) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
