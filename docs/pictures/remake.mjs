@@ -34,8 +34,7 @@ test('class and counterexample', async () => {
 test('study', async () => {
   rigor('study', 'work-precision', '--problem', 'case-A', '--method', 'sheet,euler-momentum,rk4,implicit-midpoint,split2,split2-kahan-li8,moser-veselov8,taylor16,exact', '--out', join(work, 'study'), '--quiet');
   const page = await open(join(work, 'study/study.html'), 1000, 760);
-  await page.locator('figure').first().evaluate(figure => figure.scrollIntoView());
-  await keep(page, 'study');
+  await keep(page.locator('figure').first(), 'study');
 });
 
 test('replay', async () => {

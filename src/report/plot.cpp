@@ -103,8 +103,19 @@ std::string frame(const Axis& x, const Axis& y, const Plot& plot) {
   return svg;
 }
 
+// The number of a curve, by which it has its colour. Curves set aside count for themselves: the others have those of the still picture.
+std::size_t number_of(const Plot& plot, std::size_t i) {
+  const Series& s = plot.series[i];
+  if (s.colour >= 0) return std::size_t(s.colour);
+  return std::size_t(std::count_if(plot.series.begin(), plot.series.begin() + long(i), [&](const Series& before) { return before.aside == s.aside; }));
+}
+constexpr std::size_t colours_there_are = 8;
+// Guides are dashed; so are, in long dashes, curves whose colour another one has already.
+std::string dashes(const Series& s, std::size_t number) { return s.dashed ? "5 4" : number / colours_there_are % 2 == 1 ? "13 3" : ""; }
+std::string dash_attribute(const std::string& pattern) { return pattern.empty() ? "" : " stroke-dasharray=\"" + pattern + "\""; }
+
 std::string curve(const Series& s, std::size_t index, const Axis& x, const Axis& y,
-                  const std::string& colour) {
+                  const std::string& colour, const std::string& pattern) {
   std::string path, marks;
   bool pen_down = false;
   for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
@@ -120,14 +131,7 @@ std::string curve(const Series& s, std::size_t index, const Axis& x, const Axis&
                "</title>" + marker(index, px, py, colour) + "</g>";
   }
   return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
-         (s.dashed ? "1.2\" stroke-dasharray=\"5 4" : "1.8") + "\"/>" + marks;
-}
-
-// Curves set aside count for themselves: the others have the colours of the still picture.
-std::size_t colour_of(const Plot& plot, std::size_t i) {
-  const Series& s = plot.series[i];
-  if (s.colour >= 0) return std::size_t(s.colour) % 8;
-  return std::size_t(std::count_if(plot.series.begin(), plot.series.begin() + long(i), [&](const Series& before) { return before.aside == s.aside; })) % 8;
+         (s.dashed ? "1.2" : "1.8") + "\"" + dash_attribute(pattern) + "/>" + marks;
 }
 
 // How many points of a plot cannot be drawn: said in the text alternative, never silently dropped.
@@ -163,14 +167,14 @@ std::string svg(Plot plot, const std::vector<std::string>& colours, const std::s
                     "\" height=\"" + number("%g", total) + "\"><title>" + escape(plot.title) +
                     "</title><desc>" + escape(describe(plot)) + "</desc>" + style + frame(x, y, plot);
   for (std::size_t i = 0; i < plot.series.size(); ++i)
-    out += curve(plot.series[i], i, x, y, colours[colour_of(plot, i)]);
+    out += curve(plot.series[i], i, x, y, colours[number_of(plot, i) % colours_there_are], dashes(plot.series[i], number_of(plot, i)));
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const double px = left + double(i % 3) * (width - left - right) / 3,
                  py = height + 8 + 20.0 * double(i / 3);
-    const std::string& colour = colours[colour_of(plot, i)];
+    const std::string& colour = colours[number_of(plot, i) % colours_there_are];
     out += "<line x1=\"" + number("%g", px) + "\" x2=\"" + number("%g", px + 22) + "\" y1=\"" +
            number("%g", py) + "\" y2=\"" + number("%g", py) + "\" stroke=\"" + colour +
-           "\" stroke-width=\"2\"" + (plot.series[i].dashed ? " stroke-dasharray=\"5 4\"" : "") + "/>";
+           "\" stroke-width=\"2\"" + dash_attribute(dashes(plot.series[i], number_of(plot, i))) + "/>";
     if (plot.series[i].markers && !plot.series[i].dashed) out += marker(i, px + 11, py, colour);
     out += "<text x=\"" + number("%g", px + 28) + "\" y=\"" + number("%g", py + 4) + "\">" +
            escape(plot.series[i].name) + "</text>";
@@ -194,7 +198,8 @@ std::string data(const Plot& plot) {
       if (drawable(s.y[i], plot.log_y)) y.push_back(std::strtod(number("%.5g", s.y[i]).c_str(), nullptr));
       else y.push_back(nullptr);
     }
-    json["series"].push_back({{"name", s.name}, {"x", x}, {"y", y}, {"markers", s.markers}, {"dashed", s.dashed}, {"aside", s.aside}, {"colour", colour_of(plot, std::size_t(&s - plot.series.data()))}});
+    const std::size_t place = number_of(plot, std::size_t(&s - plot.series.data()));
+    json["series"].push_back({{"name", s.name}, {"x", x}, {"y", y}, {"markers", s.markers}, {"dashed", s.dashed}, {"aside", s.aside}, {"colour", place % colours_there_are}, {"dash", dashes(s, place)}});
   }
   std::string text;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))

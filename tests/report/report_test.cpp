@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <random>
+#include <regex>
+#include <set>
 #include <rigor/report/html.hpp>
 #include <rigor/report/plot.hpp>
 
@@ -49,7 +51,18 @@ TEST(Plot, LeavesOutWhatIsSetAside) {
   for (const char* of_b : {">1e-9<", ">b<", "b;"}) EXPECT_EQ(svg_file(plot).find(of_b), std::string::npos) << of_b;
   EXPECT_NE(figure(plot).find("\"name\":\"b\""), std::string::npos);
   plot.series.push_back({"c", {1, 2}, {1e-3, 1e-2}});  // of the colour that it has in the still picture, the second
-  EXPECT_NE(figure(plot).find("\"aside\":false,\"colour\":1}]"), std::string::npos) << figure(plot);
+  EXPECT_NE(figure(plot).find("\"aside\":false,\"colour\":1,\"dash\":\"\"}]"), std::string::npos) << figure(plot);
+}
+
+// Sixteen curves are told apart by colour and stroke: no two lines of the legend are drawn alike.
+TEST(Plot, DrawsNoTwoOfSixteenCurvesAlike) {
+  Plot plot{"error", "step", "error", true, true, {}};
+  for (char c = 'a'; c <= 'p'; ++c) plot.series.push_back({std::string(1, c), {1, 2}, {1e-3, 1e-2}});
+  const std::string svg = svg_file(plot);
+  std::set<std::string> strokes;
+  const std::regex legend("<line x1=[^>]* (stroke=[^>]*)/>");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), legend), end; it != end; ++it) strokes.insert((*it)[1]);
+  EXPECT_EQ(strokes.size(), 16u);
 }
 
 TEST(Plot, SaysHowManyPointsItCannotDraw) {

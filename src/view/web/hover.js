@@ -41,10 +41,10 @@ function draw(figure) {
   const size = () => ({width: Math.min(720, figure.clientWidth), height: 400});
   const chart = new uPlot({
     ...size(), scales: {x: {time: false, ...scale(plot.log_x)}, y: scale(plot.log_y)}, cursor: {drag: {x: true, y: true}},
-    legend: {markers: {dash: (u, i) => plot.series[i - 1]?.dashed ? 'dashed' : 'solid'}},
+    legend: {markers: {dash: (u, i) => plot.series[i - 1]?.dash ? 'dashed' : 'solid'}},
     axes: [axis_of(plot.x_label, plot.log_x), {...axis_of(plot.y_label, plot.log_y), size: 70}],
     series: [{label: plot.x_label, value: (u, x) => short(x)}, ...plot.series.map(s => ({
-      label: s.name, show: !s.aside, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dashed ? [5, 4] : [], spanGaps: true,
+      label: s.name, show: !s.aside, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dash.split(' ').filter(Boolean).map(Number), spanGaps: true,
       points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => y && plot.log_y ? exponential(y) : short(y)}))],
   }, aligned(plot.series), host);
   figure.classList.add('hovers');
