@@ -1,3 +1,4 @@
+#include <cmath>
 #include <rigor/integrators/composition.hpp>
 #include <rigor/integrators/moser_veselov.hpp>
 #include <rigor/integrators/preprocessed_moments.hpp>
@@ -11,7 +12,9 @@ using V = Vec3<double>;
 
 template <int order>
 Vec4<double> moser_veselov(const Cuboid<double>& body, const V& L_B, double h, long steps) {
-  const V inverse_I = preprocessed_inverse_moments<double>(body.inertia(), body.inverse_inertia(), L_B, h, order);
+  // in a unit near the largest moment: the series has products of nine of them. A power of two, so no bit changes
+  const double unit = std::scalbn(1.0, std::ilogb(body.inertia().maxCoeff()));
+  const V inverse_I = preprocessed_inverse_moments<double>(V(body.inertia() / unit), V(body.inverse_inertia() * unit), V(L_B / unit), h, order) / unit;
   const V I = inverse_I.cwiseInverse(), to_g = h / 2 * inverse_I;
   const V f((I[1] - I[2]) * inverse_I[0], (I[2] - I[0]) * inverse_I[1], (I[0] - I[1]) * inverse_I[2]);
   const double enough = dot<double>(L_B.cwiseProduct(to_g), L_B.cwiseProduct(to_g)) * 0x1p-104;

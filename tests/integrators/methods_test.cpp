@@ -268,5 +268,26 @@ TEST(Methods, RungeKuttaTellsAStepThatLeavesTheNumbers) {
   EXPECT_FALSE(step_rk4(prism, motion_of(prism, start), {}, 1e40).state.R_WB.allFinite());
 }
 
+// A free body's turning knows no length: with edges 2^66 (7e19) or 2^-66 times as long, and moments 2^132 times, it is the same, and by
+// powers of two it is the same but for the order of operations. At 2^99 (6e29) too, near the longest edge of a scene.
+TEST(Methods, TurnTheSameAtEverySize) {
+  State<double> start;
+  start.w_WB = V(1, 2, 3);
+  for (const Method& m : methods()) {
+    const auto turned = [&](double scale) {
+      const auto body = *Cuboid<double>::make(2, V(scale * V(1, 0.5, 0.75)));
+      Motion now = motion_of(body, start);
+      for (int k = 0; k < 100; ++k) now = m.step(body, now, {}, 0.01);
+      return now.state;
+    };
+    const State<double> one = turned(1);
+    for (const int power : {66, -66, 99, -99}) {
+      const State<double> s = turned(std::ldexp(1, power));
+      ASSERT_TRUE(is_finite(s)) << m.name << ' ' << power;
+      EXPECT_LT((s.R_WB - one.R_WB).cwiseAbs().maxCoeff(), 1e-13) << m.name << ' ' << power << ": roundings of a hundred steps of up to 0.04 rad";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rigor
