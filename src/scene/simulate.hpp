@@ -38,7 +38,7 @@ struct RunSummary {
   std::vector<Accumulation> accumulations;
   std::vector<MayHaveMissed> may_have_missed;
   std::string stopped;   ///< why the run ended before `until`; "" when it did not
-  long steps = 0;        ///< of the integrator; method "located": advances of its searches
+  long steps = 0;        ///< of the integrator; method "located": advances of the searches it made, so fewer where searches are skipped
   double t_end = 0;      ///< `until`, or earlier when interrupted
   bool interrupted = false;
   bool finite = true;    ///< false: the run stopped at the first step with a number that is not finite

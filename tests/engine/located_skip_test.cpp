@@ -82,7 +82,7 @@ Scene world_of(Draw& draw, int w) {
 TEST(LocatedSkip, ChangesNoBit) {
   Draw draw;
   const int worlds = std::getenv("RIGOR_ALL") != nullptr ? 3000 : 80;
-  long left_out = 0, pairs = 0, planes = 0, impacts = 0, meetings = 0;
+  long left_out = 0, pairs = 0, planes = 0, impacts = 0, meetings = 0, advances = 0;
   for (int w = 0; w < worlds; ++w) {
     const Scene s = world_of(draw, w);
     const Record with = run(s, {});
@@ -91,6 +91,8 @@ TEST(LocatedSkip, ChangesNoBit) {
       const Record other = run(s, fewer);
       SCOPED_TRACE(id);
       expect_same_bits(with, other, w);
+      EXPECT_LE(with.summary.steps, other.summary.steps) << w << ": advances of the searches made";
+      advances += other.summary.steps - with.summary.steps;
       for (const PlanLine& line : plan(fewer, other.summary.ledger.skips)) EXPECT_TRUE(line.skipped || line.left_out == 0) << line.id;
     }
     const Ledger& l = with.summary.ledger;
@@ -100,6 +102,7 @@ TEST(LocatedSkip, ChangesNoBit) {
   EXPECT_GT(meetings, 10 * worlds);
   EXPECT_GT(left_out, pairs / 2);
   EXPECT_LT(left_out, pairs);
+  EXPECT_GT(advances, 0) << "what is left out has advances";
   EXPECT_GT(planes, impacts);
 }
 
