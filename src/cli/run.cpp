@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <rigor/base/file.hpp>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/cli/in_range.hpp>
@@ -93,6 +94,15 @@ void print_beside(const std::vector<std::pair<std::string, RunSummary>>& runs) {
   }
 }
 
+// summary.json of the scene's method; under "beside" the same of each method beside it.
+std::string summaries_json(const Scene& scene, const RunSummary& run, const std::vector<Scene>& others, const std::vector<std::pair<std::string, RunSummary>>& by_method, const std::vector<double>& wall_s) {
+  const std::string own = summary_json(scene, run, wall_s[0]);
+  if (others.empty()) return own;
+  auto json = nlohmann::ordered_json::parse(own);
+  for (std::size_t k = 0; k < others.size(); ++k) json["beside"].push_back(nlohmann::ordered_json::parse(summary_json(others[k], by_method[k + 1].second, wall_s[k + 1])));
+  return json.dump(2) + "\n";
+}
+
 // What the scene needs, and what was left out, each with its reason.
 void explain(const Scene& scene, const Skips& skips, const RunSummary& run) {
   std::printf("plan of %s\n", scene.name.c_str());
@@ -174,21 +184,26 @@ int run_command(const Options& options) {
   const auto record = [&](const Scene& one) { return keep ? &recordings.emplace_back(one, one.method) : nullptr; };
   const auto unfit = [&](const Fault& fault) { return bad_input({fault.kind, options.scene + ": " + fault.where, fault.what}); };  // the method knows not all of it
   Progress progress(!options.quiet, " %");
-  const auto start = std::chrono::steady_clock::now();
-  const auto done = simulate_recorded(scene, record(scene), [&](double t, const std::vector<State<double>>& states) {
+  std::vector<double> wall;
+  const auto timed = [&](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return result;
+  };
+  const auto done = timed([&] { return simulate_recorded(scene, record(scene), [&](double t, const std::vector<State<double>>& states) {
     if (scene.until > 0) progress(long(100 * t / scene.until), 100);
     if (keep) csv.add(t, states);
-  }, *skips);
+  }, *skips); });
   if (!done) return unfit(done.fault());
   const RunSummary run = *done;
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::vector<std::pair<std::string, RunSummary>> by_method{{scene.method, run}};
   for (const Scene& other : *others) {
-    const auto ran = simulate_recorded(other, record(other), [](double, const auto&) {});
+    const auto ran = timed([&] { return simulate_recorded(other, record(other), [](double, const auto&) {}); });
     if (!ran) return unfit(ran.fault());
     by_method.emplace_back(other.method, *ran);
   }
-  const std::string summary = summary_json(scene, run, wall);
+  const std::string summary = summaries_json(scene, run, *others, by_method, wall);
   std::vector<std::string> written_names;
   if (keep) {
     std::vector<std::pair<std::string, std::string>> files{{"trajectory.csv", csv.text()}, {"summary.json", summary}};
@@ -202,7 +217,7 @@ int run_command(const Options& options) {
     }
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
-  else if (!options.quiet) print(scene, run, wall);
+  else if (!options.quiet) print(scene, run, wall[0]);
   if (options.explain) explain(scene, *skips, run);
   if (!options.json && !options.quiet) {
     if (by_method.size() > 1) print_beside(by_method);

@@ -355,7 +355,10 @@ TEST_F(Program, ComparesMethodsLineUnderLine) {
   const Ran ran = rigor_says("run spin-box --until 2 --beside rk4,located");
   EXPECT_EQ(ran.status, 0) << ran.text;
   expect_eighty_columns(ran.text);
+  const auto json = nlohmann::json::parse(rigor_says("run spin-box --until 2 --beside rk4,located --json").text);
+  ASSERT_EQ(json["beside"].size(), 2u);
   for (const std::string method : {"sheet", "rk4", "located"}) {
+    const auto& its = method == "sheet" ? json : json["beside"][method == "rk4" ? 0 : 1];
     const auto alone = nlohmann::json::parse(rigor_says("run spin-box --until 2 --json --method " + method).text);
     std::istringstream lines(ran.text.substr(ran.text.find("by method:")));
     std::string line, name;
@@ -364,6 +367,8 @@ TEST_F(Program, ComparesMethodsLineUnderLine) {
     EXPECT_EQ(name, method) << ran.text;
     EXPECT_NEAR(energy, double(alone["energy"]["end"]), 1e-5 * energy) << line;
     EXPECT_NEAR(own, double(alone["energy"]["worst_stepper"]), 0.06 * own) << line;
+    for (const char* key : {"method", "energy", "linear_momentum", "angular_momentum", "impacts", "t_end"}) EXPECT_EQ(its[key], alone[key]) << method << " " << key;
+    EXPECT_FALSE(alone.contains("beside"));
   }
 }
 
