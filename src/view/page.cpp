@@ -24,6 +24,7 @@ Outcome<std::string> render(const InteractivePage& page) {
   html += "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + report::escape(page.title) + "</h1><p>" + report::escape(page.lead) + "</p></header>\n";
   html += text_named(page.name + "-body.html", texts());
+  if (!page.without_script.empty()) html += "<noscript><style>main,#transport{display:none}</style><div class=\"noscript\">" + page.without_script + "</div></noscript>\n";
   html += "<script type=\"application/json\" id=\"data\">" + inert + "</script>\n<script>";
   html += script;
   return html + "</script>\n</body>\n</html>\n";

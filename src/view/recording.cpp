@@ -112,6 +112,12 @@ void Recording::thin() {
   frames_ = std::move(kept);
 }
 
+std::pair<std::vector<double>, std::vector<double>> Recording::energy() const {
+  std::pair<std::vector<double>, std::vector<double>> curve;
+  for (const Frame& f : frames_) curve.first.push_back(f.t), curve.second.push_back(f.kinetic + f.potential);
+  return curve;
+}
+
 Json Recording::packed() const {
   Json run{{"name", name_}, {"method", scene_.method}, {"dt", scene_.dt}, {"bodies", Json::array()}, {"planes", Json::array()}};
   for (const SceneBody& b : scene_.bodies) run["bodies"].push_back({{"size", vector(b.shape.size())}, {"mass", b.shape.mass()}});

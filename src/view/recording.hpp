@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <rigor/scene/simulate.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor::view {
@@ -23,6 +24,8 @@ class Recording {
 
   const std::string& name() const { return name_; }
   std::size_t frames() const { return frames_.size(); }
+  /// Kinetic and potential energy, J, of each moment kept, s.
+  std::pair<std::vector<double>, std::vector<double>> energy() const;
   /// Packed: positions as float32, quaternions in 1/32767, velocities and impulses in 1/32767 of the largest component.
   nlohmann::ordered_json packed() const;
 

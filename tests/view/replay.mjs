@@ -97,6 +97,15 @@ test('replay shows two methods over each other and side by side', async () => {
   await no_serious_finding(page);
 });
 
+test('replay without its script shows the energy of each run', async () => {
+  const page = await open(replay('still', 'drop', '--beside', 'located', '--until', '1'), {javaScriptEnabled: false});
+  assert.ok(await page.locator('noscript svg').isVisible());
+  assert.deepEqual(await page.locator('noscript svg text').allTextContents().then(all => all.filter(text => ['sheet', 'located', 'energy, J'].includes(text))), ['energy, J', 'sheet', 'located']);
+  for (const shell of ['main', '#transport']) assert.ok(!await page.locator(shell).isVisible());
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing hangs over the edge');
+  await page.screenshot({path: join(pictures, 'replay-still.png')});
+});
+
 test('replay fits a phone', async () => {
   const page = await open(replay('phone', 'tumble'), {viewport: {width: 390, height: 780}, hasTouch: true});
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
