@@ -1,6 +1,11 @@
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -18,10 +23,20 @@
 
 namespace {
 
-// The help in 80 columns.
+// Columns of the terminal, as $COLUMNS or the terminal itself says: from 50 to 80; 80 where nobody says.
+std::size_t terminal_width() {
+  winsize size{};
+  long columns = 0;
+  if (const char* said = std::getenv("COLUMNS")) columns = std::atol(said);
+  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
+  return columns > 0 ? std::size_t(std::clamp(columns, 50L, 80L)) : 80;
+}
+
+// The help, as wide as the terminal.
 class Filled : public CLI::Formatter {
+  std::size_t width_ = terminal_width();
   std::string beside_names(const std::string& text) const {
-    std::string lines = rigor::report::filled(text, 80 - column_width_, 0);
+    std::string lines = rigor::report::filled(text, width_ - column_width_, 0);
     while (!lines.empty() && lines.back() == '\n') lines.pop_back();
     return lines;
   }
@@ -31,11 +46,11 @@ class Filled : public CLI::Formatter {
     CLI::detail::format_help(out, command->get_name(), beside_names(command->get_description()), column_width_);
     return out.str();
   }
-  std::string make_description(const CLI::App* app) const override { return rigor::report::filled(app->get_description(), 80, 0); }
+  std::string make_description(const CLI::App* app) const override { return rigor::report::filled(app->get_description(), width_, 0); }
   std::string make_footer(const CLI::App* app) const override {
     std::istringstream lines(app->get_footer());
     std::string text;
-    for (std::string line; std::getline(lines, line);) text += line.size() > 80 ? rigor::report::filled(line, 80, 0) : line + "\n";
+    for (std::string line; std::getline(lines, line);) text += line.size() > width_ ? rigor::report::filled(line, width_, 0) : line + "\n";
     return text;
   }
 };

@@ -33,10 +33,11 @@ Ran rigor_says(const std::string& arguments, const std::string& before = "") {
   return ran;
 }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-void expect_eighty_columns(const std::string& text) {
+void expect_columns(const std::string& text, std::size_t most) {
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), 80u) << line;
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(report::columns(line), most) << line;
 }
+void expect_eighty_columns(const std::string& text) { expect_columns(text, 80); }
 
 class Program : public ::testing::Test {
  protected:
@@ -61,6 +62,7 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
     EXPECT_EQ(help.status, 0) << command;
     EXPECT_TRUE(contains(help.text, std::string("Example:  rigor ") + command)) << help.text;
     expect_eighty_columns(help.text);
+    expect_columns(rigor_says(std::string(command) + " --help", "COLUMNS=60 ").text, 60);
   }
   expect_eighty_columns(top.text);
   for (const char* command : {"run", "view", "study"}) {
