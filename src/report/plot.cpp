@@ -55,17 +55,19 @@ Axis axis_over(const std::vector<double>& values, bool logarithmic, double start
   return {low, high, logarithmic, start, end};
 }
 
+constexpr std::size_t colours_there_are = 8;
+
+// Filled, or hollow where the colour is another curve's already.
 std::string marker(std::size_t kind, double x, double y, const std::string& colour) {
-  const std::string at = number("%.1f", x) + "," + number("%.1f", y);
+  const std::string ink = "\" " + (kind / colours_there_are % 2 == 0 ? "fill=\"" + colour : "fill=\"none\" stroke-width=\"1.6\" stroke=\"" + colour) + "\"/>";
   const auto polygon = [&](std::initializer_list<std::pair<double, double>> points) {
     std::string text = "<polygon points=\"";
     for (const auto& [dx, dy] : points) text += number("%.1f", x + dx) + "," + number("%.1f", y + dy) + " ";
-    return text + "\" fill=\"" + colour + "\"/>";
+    return text + ink;
   };
   switch (kind % 4) {
     case 0:
-      return "<circle cx=\"" + number("%.1f", x) + "\" cy=\"" + number("%.1f", y) + "\" r=\"3.2\" fill=\"" +
-             colour + "\"/>";
+      return "<circle cx=\"" + number("%.1f", x) + "\" cy=\"" + number("%.1f", y) + "\" r=\"3.2" + ink;
     case 1:
       return polygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
     case 2:
@@ -109,7 +111,6 @@ std::size_t number_of(const Plot& plot, std::size_t i) {
   if (s.colour >= 0) return std::size_t(s.colour);
   return std::size_t(std::count_if(plot.series.begin(), plot.series.begin() + long(i), [&](const Series& before) { return before.aside == s.aside; }));
 }
-constexpr std::size_t colours_there_are = 8;
 // Guides are dashed; so are, in long dashes, curves whose colour another one has already.
 std::string dashes(const Series& s, std::size_t number) { return s.dashed ? "5 4" : number / colours_there_are % 2 == 1 ? "13 3" : ""; }
 std::string dash_attribute(const std::string& pattern) { return pattern.empty() ? "" : " stroke-dasharray=\"" + pattern + "\""; }

@@ -54,15 +54,18 @@ TEST(Plot, LeavesOutWhatIsSetAside) {
   EXPECT_NE(figure(plot).find("\"aside\":false,\"colour\":1,\"dash\":\"\"}]"), std::string::npos) << figure(plot);
 }
 
-// Sixteen curves are told apart by colour and stroke: no two lines of the legend are drawn alike.
+// Sixteen curves are told apart: no two lines of the legend are drawn alike, and of curves that are one point each no two markers.
 TEST(Plot, DrawsNoTwoOfSixteenCurvesAlike) {
   Plot plot{"error", "step", "error", true, true, {}};
-  for (char c = 'a'; c <= 'p'; ++c) plot.series.push_back({std::string(1, c), {1, 2}, {1e-3, 1e-2}});
+  for (char c = 'a'; c <= 'p'; ++c) plot.series.push_back({std::string(1, c), {1}, {1e-3}});
   const std::string svg = svg_file(plot);
-  std::set<std::string> strokes;
-  const std::regex legend("<line x1=[^>]* (stroke=[^>]*)/>");
-  for (std::sregex_iterator it(svg.begin(), svg.end(), legend), end; it != end; ++it) strokes.insert((*it)[1]);
-  EXPECT_EQ(strokes.size(), 16u);
+  const auto different = [&](const std::regex& drawn) {
+    std::set<std::string> ways;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), drawn), end; it != end; ++it) ways.insert((*it)[1]);
+    return ways.size();
+  };
+  EXPECT_EQ(different(std::regex("<line x1=[^>]* (stroke=[^>]*)/>")), 16u);
+  EXPECT_EQ(different(std::regex("<g><title>[^<]*</title><(?:circle|polygon) ([^>]*)/></g>")), 16u);  // at one place, so what differs is shape and ink
 }
 
 TEST(Plot, SaysHowManyPointsItCannotDraw) {

@@ -45,7 +45,7 @@ function draw(figure) {
     axes: [axis_of(plot.x_label, plot.log_x), {...axis_of(plot.y_label, plot.log_y), size: 70}],
     series: [{label: plot.x_label, value: (u, x) => short(x)}, ...plot.series.map(s => ({
       label: s.name, show: !s.aside, stroke: css('--s' + s.colour), width: s.dashed ? 1.2 : 1.8, dash: s.dash.split(' ').filter(Boolean).map(Number), spanGaps: true,
-      points: {show: s.markers && !s.dashed, size: 6}, value: (u, y) => y && plot.log_y ? exponential(y) : short(y)}))],
+      points: {show: s.markers && !s.dashed, size: 6, fill: s.dash ? css('--paper') : css('--s' + s.colour)}, value: (u, y) => y && plot.log_y ? exponential(y) : short(y)}))],
   }, aligned(plot.series), host);
   figure.classList.add('hovers');
   new ResizeObserver(() => chart.setSize(size())).observe(figure);
