@@ -49,7 +49,9 @@ Axis axis_over(const std::vector<double>& values, bool logarithmic, double start
     high = std::pow(10, std::ceil(std::log10(high) - 1e-9));
     if (low == high) low /= 10, high *= 10;
   } else {
-    const double pad = low == high ? std::max(1.0, std::abs(low)) / 2 : (high - low) * 0.04;
+    const double size = std::max(std::abs(low), std::abs(high));
+    const bool flat = high - low <= 1e-5 * size;  // ticks have six digits: what they cannot tell apart is drawn as a level line
+    const double pad = flat ? std::max(1.0, size) / 2 : (high - low) * 0.04;
     low -= pad, high += pad;
   }
   return {low, high, logarithmic, start, end};
@@ -228,7 +230,8 @@ std::vector<double> ticks(double low, double high, bool logarithmic) {
   double step = 10 * power;
   for (const double multiple : {5.0, 2.0, 1.0})
     if (multiple * power >= raw) step = multiple * power;
-  for (double k = std::ceil(low / step); k * step <= high; ++k) at.push_back(k * step == 0 ? 0 : k * step);
+  const double first = std::ceil(low / step);
+  for (int k = 0; k < 16 && (first + k) * step <= high; ++k) at.push_back((first + k) * step + 0.0);  // + 0.0: no negative zero
   return at;
 }
 

@@ -43,6 +43,16 @@ TEST(Ticks, AreDecadesOnALogarithmicAxisAndOneTwoFiveElse) {
   EXPECT_EQ(ticks(0, 10, false), (std::vector<double>{0, 2, 4, 6, 8, 10}));
 }
 
+// An energy that is kept but for roundings: a level line, and an end to its ticks.
+TEST(Plot, OfANumberThatChangesByRoundingsHasAnEnd) {
+  const double x = 254.546;
+  const Plot plot{"energy", "time", "energy", false, false, {{"a", {0, 1, 2}, {x, std::nextafter(x, 0), std::nextafter(x, 999)}}}};
+  const std::string svg = svg_file(plot);
+  EXPECT_LT(svg.size(), 10000u);
+  EXPECT_NE(svg.find(">250<"), std::string::npos) << svg;
+  EXPECT_LE(ticks(x, std::nextafter(x, 999), false).size(), 16u);
+}
+
 // A curve set aside is not in the still picture, nor in its axes and legend; its numbers are in the page.
 TEST(Plot, LeavesOutWhatIsSetAside) {
   Plot plot{"error", "step", "error", true, true, {{"a", {1, 2}, {1e-3, 1e-2}}, {"b", {1, 2}, {1e-9, 1e-8}}}};
