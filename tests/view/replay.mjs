@@ -101,6 +101,10 @@ test('replay without its script shows the energy of each run', async () => {
   const page = await open(replay('still', 'drop', '--beside', 'located', '--until', '1'), {javaScriptEnabled: false});
   assert.ok(await page.locator('noscript svg').isVisible());
   assert.deepEqual(await page.locator('noscript svg text').allTextContents().then(all => all.filter(text => ['sheet', 'located', 'energy, J'].includes(text))), ['energy, J', 'sheet', 'located']);
+  const runs = await page.locator('noscript tbody tr').allTextContents();
+  assert.equal(runs.length, 2);
+  const summary = JSON.parse(readFileSync(join(work, 'still/summary.json'), 'utf8'));
+  assert.ok(runs[0].endsWith(String(+summary.energy.end.toPrecision(6))) && runs[1].endsWith(String(+summary.beside[0].energy.end.toPrecision(6))), runs.join('; '));
   for (const shell of ['main', '#transport']) assert.ok(!await page.locator(shell).isVisible());
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing hangs over the edge');
   await page.screenshot({path: join(pictures, 'replay-still.png')});

@@ -26,6 +26,11 @@ const edged = () => drawn(128, (g, n) => {
   g.fillStyle = '#fff', g.fillRect(0, 0, n, n);
   g.strokeStyle = '#555', g.lineWidth = 4, g.strokeRect(1, 1, n - 2, n - 2);
 });
+// A pane in a frame. Frames of later runs are thinner, so that where cuboids coincide each shows beside the others.
+const framed = index => drawn(128, (g, n) => {
+  g.fillStyle = '#ffffff4d', g.fillRect(0, 0, n, n);
+  g.strokeStyle = '#fff', g.lineWidth = 30 / (1 + index), g.strokeRect(0, 0, n, n);
+});
 function arrow_shape() {
   const shaft = new CylinderGeometry(0.025, 0.025, 0.75, 8).translate(0, 0.375, 0), head = new ConeGeometry(0.07, 0.25, 12).translate(0, 0.875, 0);
   return mergeGeometries([shaft, head]);
@@ -57,7 +62,7 @@ export class Crowd {
   constructor(stage, bodies, index, scale) {
     this.bodies = bodies, this.stage = stage, this.group = new Group();
     const ghost = index > 0;
-    this.mesh = new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshLambertMaterial({map: edged(), transparent: ghost, opacity: ghost ? 0.4 : 1, depthWrite: !ghost,
+    this.mesh = new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshLambertMaterial({map: ghost ? framed(index) : edged(), transparent: ghost, depthWrite: !ghost,
       polygonOffset: ghost, polygonOffsetFactor: -2 * index, polygonOffsetUnits: -2 * index})  // over what it shares a face with
     , bodies.length);
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
