@@ -62,7 +62,7 @@ int main() {
                         {"euler-momentum-exponential", "Euler-exp", 6400},
                         {"euler-exponential", "Euler-exp", 6400, "spin form"},
                         {"implicit-midpoint", "impl-midpoint-Lie", 1600},
-                        {"buss-augmented", "buss-aug2", 1600},
+                        {"buss-augmented", "buss-aug2", 1600, "commutator of the other sign"},
                         {"rk4", "RK4-quat", 1600},
                         {"rkmk4", "RKMK4", 800},
                         {"commutator-free4", "CF4", 800},
