@@ -95,11 +95,10 @@ void print_beside(const std::vector<std::pair<std::string, RunSummary>>& runs) {
 }
 
 // summary.json of the scene's method; under "beside" the same of each method beside it.
-std::string summaries_json(const Scene& scene, const RunSummary& run, const std::vector<Scene>& others, const std::vector<std::pair<std::string, RunSummary>>& by_method, const std::vector<double>& wall_s) {
-  const std::string own = summary_json(scene, run, wall_s[0]);
+std::string with_beside(const std::string& own, const std::vector<std::string>& others) {
   if (others.empty()) return own;
   auto json = nlohmann::ordered_json::parse(own);
-  for (std::size_t k = 0; k < others.size(); ++k) json["beside"].push_back(nlohmann::ordered_json::parse(summary_json(others[k], by_method[k + 1].second, wall_s[k + 1])));
+  for (const std::string& other : others) json["beside"].push_back(nlohmann::ordered_json::parse(other));
   return json.dump(2) + "\n";
 }
 
@@ -184,26 +183,25 @@ int run_command(const Options& options) {
   const auto record = [&](const Scene& one) { return keep ? &recordings.emplace_back(one, one.method) : nullptr; };
   const auto unfit = [&](const Fault& fault) { return bad_input({fault.kind, options.scene + ": " + fault.where, fault.what}); };  // the method knows not all of it
   Progress progress(!options.quiet, " %");
-  std::vector<double> wall;
-  const auto timed = [&](const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return result;
-  };
-  const auto done = timed([&] { return simulate_recorded(scene, record(scene), [&](double t, const std::vector<State<double>>& states) {
+  const auto seconds_since = [](std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto start = std::chrono::steady_clock::now();
+  const auto done = simulate_recorded(scene, record(scene), [&](double t, const std::vector<State<double>>& states) {
     if (scene.until > 0) progress(long(100 * t / scene.until), 100);
     if (keep) csv.add(t, states);
-  }, *skips); });
+  }, *skips);
   if (!done) return unfit(done.fault());
   const RunSummary run = *done;
+  const double wall = seconds_since(start);
   std::vector<std::pair<std::string, RunSummary>> by_method{{scene.method, run}};
+  std::vector<std::string> other_summaries;
   for (const Scene& other : *others) {
-    const auto ran = timed([&] { return simulate_recorded(other, record(other), [](double, const auto&) {}); });
+    const auto other_start = std::chrono::steady_clock::now();
+    const auto ran = simulate_recorded(other, record(other), [](double, const auto&) {});
     if (!ran) return unfit(ran.fault());
     by_method.emplace_back(other.method, *ran);
+    other_summaries.push_back(summary_json(other, *ran, seconds_since(other_start)));
   }
-  const std::string summary = summaries_json(scene, run, *others, by_method, wall);
+  const std::string summary = with_beside(summary_json(scene, run, wall), other_summaries);
   std::vector<std::string> written_names;
   if (keep) {
     std::vector<std::pair<std::string, std::string>> files{{"trajectory.csv", csv.text()}, {"summary.json", summary}};
@@ -217,7 +215,7 @@ int run_command(const Options& options) {
     }
   }
   if (options.json) std::fputs(summary.c_str(), stdout);
-  else if (!options.quiet) print(scene, run, wall[0]);
+  else if (!options.quiet) print(scene, run, wall);
   if (options.explain) explain(scene, *skips, run);
   if (!options.json && !options.quiet) {
     if (by_method.size() > 1) print_beside(by_method);

@@ -5,8 +5,8 @@
 
 namespace rigor::report {
 
-/// A formula of src/formulas/typeset.tsv or a law of src/studies/problems.tsv, as HTML: MathML with its TeX as annotation, or, in a program that was built
-/// without node, its plain text. "" where there is none of that id.
+/// A formula of src/formulas/typeset.tsv or a law of src/studies/problems.tsv, as HTML: MathML with its TeX as annotation, or, in
+/// a program that was built without node, its plain text. "" where there is none of that id.
 std::string formula_html(std::string_view id);
 
 /// The same as one line of plain text.

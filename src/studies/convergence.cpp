@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/studies/convergence.hpp>
+#include <rigor/studies/least_squares.hpp>
 #include <rigor/studies/timing.hpp>
 
 namespace rigor::studies {
@@ -66,13 +66,8 @@ Fit fit_order(const std::vector<double>& h, const std::vector<double>& error, bo
     if (place[i] == Place::used) x.push_back(std::log2(h[i])), y.push_back(std::log2(error[i]));
   }
   if (fit.used < 3) return fit;
-  const double n = fit.used, x_mean = std::accumulate(x.begin(), x.end(), 0.0) / n, y_mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
-  double xx = 0, xy = 0, left = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) xx += (x[i] - x_mean) * (x[i] - x_mean), xy += (x[i] - x_mean) * (y[i] - y_mean);
-  const double slope = xy / xx;
-  for (std::size_t i = 0; i < x.size(); ++i) left += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
-  const double standard_error = std::sqrt(left / (n - 2) / xx);
-  if (!smooth || standard_error <= 0.3) fit.order = slope;
+  const Line line = least_squares(x, y);
+  if (!smooth || line.standard_error <= 0.3) fit.order = line.slope;
   return fit;
 }
 double fitted_order(const std::vector<Run>& runs, int& used) {

@@ -1,8 +1,10 @@
 #include <cmath>
+#include <numeric>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/linalg/carried.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/studies/drift.hpp>
+#include <rigor/studies/least_squares.hpp>
 
 namespace rigor::studies {
 namespace {
@@ -21,20 +23,10 @@ double student_t(int freedom) {
 Slope slope_of(const std::vector<double>& y) {
   const int n = int(y.size());
   if (n < 3) return {std::nan(""), std::nan("")};
-  double mean = 0, xy = 0, xx = 0, residual = 0;
-  for (const double v : y) mean += v / n;
-  const double middle = (n + 1) / 2.0;
-  for (int i = 0; i < n; ++i) {
-    const double x = i + 1 - middle;
-    xy += x * (y[std::size_t(i)] - mean);
-    xx += x * x;
-  }
-  const double slope = xy / xx;
-  for (int i = 0; i < n; ++i) {
-    const double r = y[std::size_t(i)] - mean - slope * (i + 1 - middle);
-    residual += r * r;
-  }
-  return {slope, student_t(n - 2) * std::sqrt(residual / (n - 2) / xx)};
+  std::vector<double> x(y.size());
+  std::iota(x.begin(), x.end(), 1.0);
+  const Line line = least_squares(x, y);
+  return {line.slope, student_t(n - 2) * line.standard_error};
 }
 
 Drift drift_of(const Problem& problem, const Method& method, double h, long steps, bool compensated) {

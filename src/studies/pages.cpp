@@ -59,8 +59,8 @@ std::vector<Group> by_method(const std::vector<const Row*>& rows) {
 
 Section problem_section(const Cell& cell) {
   const Problem& problem = **open_problem(cell.problem, cell.until);
-  if (cell.study == "drift" || cell.study == "stability") return {cell.problem, {problem.says + "."}, laws(problem), equations(problem), {}, {}};  // to no end of its own
-  return {cell.problem, {problem.says + ", T = " + digits(problem.until) + " s.", "Reference: " + problem.reference + "."}, laws(problem), equations(problem), {}, {}};
+  if (cell.study == "drift" || cell.study == "stability") return {cell.problem, {problem.says + "."}, laws(problem), givens(problem), {}, {}};  // to no end of its own
+  return {cell.problem, {problem.says + ", T = " + digits(problem.until) + " s.", "Reference: " + problem.reference + "."}, laws(problem), givens(problem), {}, {}};
 }
 
 void set_aside(report::Plot& plot, const std::vector<std::string>& kept) {

@@ -172,7 +172,7 @@ std::vector<std::string> laws(const Problem& p) {
   return {"motion.loaded", "load." + p.name};
 }
 
-std::vector<std::string> equations(const Problem& p) {
+std::vector<std::string> givens(const Problem& p) {
   const auto vector = [](const V& v) { return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")"; };
   const auto turned = [](const V& v) {  // out of world axes: the last digit is that of the turn, 0.29999999999999998 for 0.3
     return fmt::format("({}, {}, {})", brief(v[0], "%.15g"), brief(v[1], "%.15g"), brief(v[2], "%.15g"));

@@ -41,7 +41,7 @@ Outcome<const Problem*> open_problem(const std::string& name, double until = 0);
 /// Ids of src/studies/problems.tsv: the laws of motion of a problem, and its load where it has one.
 std::vector<std::string> laws(const Problem& problem);
 /// What the laws start from, for the problem's page: body, gravity, the state at t = 0. One a line.
-std::vector<std::string> equations(const Problem& problem);
+std::vector<std::string> givens(const Problem& problem);
 
 /// Distance of a computed end from the reference.
 struct Errors {

@@ -107,9 +107,9 @@ std::string page_html(const StudyPage& page) {
     out.body += "<h2>" + escape(s.heading) + "</h2>";
     for (const std::string& text : s.text) out.body += "<p>" + escape(text) + "</p>";
     for (const std::string& id : s.laws) out.body += "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">" + report::formula_html(id) + "</div>";
-    if (!s.equations.empty()) {
+    if (!s.givens.empty()) {
       out.body += "<pre>";
-      for (const std::string& line : s.equations) out.body += escape(line) + "\n";
+      for (const std::string& line : s.givens) out.body += escape(line) + "\n";
       out.body += "</pre>";
     }
     for (const report::Plot& plot : s.plots) out.body += report::figure(plot, escape(plot.title) + (aside(plot) > 0 ? "; " + std::to_string(aside(plot)) + " more curves by a click on their names" : ""));
@@ -132,10 +132,10 @@ std::string page_markdown(const StudyPage& page) {
   for (const Section& s : page.sections) {
     out += "\n## " + s.heading + "\n";
     for (const std::string& text : s.text) out += "\n" + text + "\n";
-    if (!s.laws.empty() || !s.equations.empty()) {
+    if (!s.laws.empty() || !s.givens.empty()) {
       out += "\n```\n";
       for (const std::string& id : s.laws) out += report::formula_text(id) + "\n";
-      for (const std::string& line : s.equations) out += line + "\n";
+      for (const std::string& line : s.givens) out += line + "\n";
       out += "```\n";
     }
     for (const report::Plot& plot : s.plots) out += "\n![" + plot.title + "](figure-" + std::to_string(++figure) + ".svg)\n" + (aside(plot) > 0 ? "\n" + std::to_string(aside(plot)) + " more curves can be switched on in study.html.\n" : "");

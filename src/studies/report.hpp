@@ -16,7 +16,7 @@ struct Section {
   std::string heading;
   std::vector<std::string> text;       ///< paragraphs
   std::vector<std::string> laws;       ///< ids of problems.tsv: MathML, or their plain text
-  std::vector<std::string> equations;  ///< lines, set as they are
+  std::vector<std::string> givens;     ///< lines, set as they are
   std::vector<report::Plot> plots;
   std::vector<Table> tables;
 };

@@ -101,8 +101,8 @@ TEST(Problems, SayTheirLawsAndWhatTheyStartFrom) {
     EXPECT_EQ(laws(p), p.falls ? std::vector<std::string>{"motion.free"} : (std::vector<std::string>{"motion.loaded", "load." + name}));
     for (const std::string& id : laws(p)) EXPECT_NE(report::formula_text(id), "") << id;
   }
-  EXPECT_EQ(equations(*find_problem("thrown"))[0].substr(0, 11), "m = 10 kg, ");
-  EXPECT_NE(equations(*find_problem("thrown"))[0].find("g = (0, -9.8, 0) m/s²"), std::string::npos);
+  EXPECT_EQ(givens(*find_problem("thrown"))[0].substr(0, 11), "m = 10 kg, ");
+  EXPECT_NE(givens(*find_problem("thrown"))[0].find("g = (0, -9.8, 0) m/s²"), std::string::npos);
 }
 
 TEST(Problems, HaveAReferenceThatKeepsWhatThePhysicsKeeps) {
