@@ -36,7 +36,7 @@ class ExactFlight {
   /// Constants of the evaluator. Public for FlightBatch, which keeps many flights as arrays of these.
   struct Tuned {
     enum class Kind { pure_rotation, theta, theta_prime } kind = Kind::pure_rotation;
-    std::array<int, 3> axis{0, 1, 2};
+    std::array<int, 3> axis{};
     detail::FlightNumbers<double> numbers{};
     Vec3<double> w_B = zero3<double>(), L_B = zero3<double>();  // pure rotation
     Mat3<double> R0 = identity3<double>();

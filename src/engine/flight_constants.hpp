@@ -23,19 +23,19 @@ struct FlightConstants {
     theta,          ///< m ≤ 1/2, nome q = exp(−πK'/K)
     theta_prime,    ///< m > 1/2, complementary nome q' = exp(−πK/K'); q' = 0 on the separatrix
   };
-  Kind kind = Kind::pure_rotation;
-  bool symmetric = false;         ///< two equal moments: m = 0, one harmonic
-  std::array<int, 3> axis{0, 1, 2};
-  std::array<T, 3> sign{T(1), T(1), T(1)};
-  T G = T(0);                     ///< |L|
-  T L1m = T(0), L2m = T(0), L3m = T(0);
-  T rho = T(0);                   ///< L2m/L1m, defined even where both vanish
-  T u0 = T(0), w_p = T(0);        ///< phase of the elliptic functions and its rate
-  T half_period = T(0);           ///< 2K, in u
-  T n0 = T(0), nu = T(0);         ///< u0 and w_p counted in half periods
-  T q = T(0), beta = T(0);
-  T omega = T(0);                 ///< π/2K' for theta_prime: w = omega·(u − 2Kj)
-  T rate = T(0), jump = T(0);     ///< φ = rate·t + jump·j + arg θ₁
+  Kind kind;
+  bool symmetric;            ///< two equal moments: m = 0, one harmonic
+  std::array<int, 3> axis;
+  std::array<T, 3> sign;
+  T G;                       ///< |L|
+  T L1m, L2m, L3m;
+  T rho;                     ///< L2m/L1m, defined even where both vanish
+  T u0, w_p;                 ///< phase of the elliptic functions and its rate
+  T half_period;             ///< 2K, in u; 0 on the separatrix
+  T n0, nu;                  ///< u0 and w_p counted in half periods
+  T q, beta;
+  T omega;                   ///< π/2K' for theta_prime: w = omega·(u − 2Kj)
+  T rate, jump;              ///< φ = rate·t + jump·j + arg θ₁; theta's jump is π and not kept
 };
 
 namespace detail {
@@ -68,7 +68,7 @@ template <Real T>
 FlightConstants<T> flight_constants(const Vec3<T>& I_B, const Vec3<T>& w_B) {
   using std::cos, std::cosh, std::exp, std::sin, std::sinh, std::sqrt;
   const auto size = [](const T& a) { return a < T(0) ? -a : a; };
-  FlightConstants<T> c;
+  FlightConstants<T> c{};  // a pure rotation, until more is known
   int lo = 0, mid = 1, hi = 2;
   if (I_B[lo] > I_B[mid]) std::swap(lo, mid);
   if (I_B[mid] > I_B[hi]) std::swap(mid, hi);
@@ -117,7 +117,6 @@ FlightConstants<T> flight_constants(const Vec3<T>& I_B, const Vec3<T>& w_B) {
             detail::odd_harmonics<T>(c.q, [&](int a) { return T(sinh(T(a) * c.beta)); });
     }
     c.rate = c.G / I1 - pi<T>() / (T(2) * K) * eta * c.w_p;
-    c.jump = pi<T>();
   } else {
     c.kind = FlightConstants<T>::Kind::theta_prime;
     const bool separatrix = !(m1 > T(0));  // K is infinite: no period, no range reduction

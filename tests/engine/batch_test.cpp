@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cfenv>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -220,6 +221,27 @@ TEST(BatchDeathTest, StepsWhereThereAreNoMoreThreads) {
   EXPECT_EXIT(step_without_threads(world, world.plain(0.01, 3)), ::testing::ExitedWithCode(0), "");
 }
 
+TEST(Batch, OfNoStepStaysWhereItIs) {
+  const World world = random_world(9, 5);
+  Batch batch = world.batch();
+  batch.step(0.01, 0);
+  expect_same(batch, world.motions, "no step");
+}
+
+// Three cuboids fill three of eight lanes; in the others nothing is computed that is no number, which a user who traps such would meet.
+TEST(Batch, MakesNoInvalidOperationInLanesOfNobody) {
+  for (const BatchMethod method : {BatchMethod::euler_momentum, BatchMethod::euler_momentum_cross, BatchMethod::split2}) {
+    World world = random_world(3, 17);
+    world.method = method;
+    Batch batch = world.batch();
+    for (const Instructions with : supported_instructions()) {
+      std::feclearexcept(FE_ALL_EXCEPT);
+      batch.step(0.01, 5, 1, with);
+      EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO)) << plain(method).name << ", " << name(with);
+    }
+  }
+}
+
 TEST(Batch, RefusesWhatItCannotStep) {
   World world = random_world(3, 11);
   const auto fault = [&](auto spoil) {
@@ -228,7 +250,13 @@ TEST(Batch, RefusesWhatItCannotStep) {
     return Batch::make(spoilt.bodies, spoilt.motions).fault();
   };
   EXPECT_EQ(fault([](World& w) { w.motions.pop_back(); }).text(), "motions are 2, must be one for each of 3 bodies");
-  EXPECT_EQ(fault([](World& w) { w.motions[2].state.v_WB[1] = NAN; }).where, "motions[2].v_WB[1]");
+  for (int k = 0; k < 3; ++k) {
+    const std::string which = "[" + std::to_string(k) + "]";
+    EXPECT_EQ(fault([&](World& w) { w.motions[2].state.p_WB[k] = NAN; }).where, "motions[2].p_WB" + which);
+    EXPECT_EQ(fault([&](World& w) { w.motions[2].state.v_WB[k] = NAN; }).where, "motions[2].v_WB" + which);
+    EXPECT_EQ(fault([&](World& w) { w.motions[2].state.w_WB[k] = NAN; }).where, "motions[2].w_WB" + which);
+    EXPECT_EQ(fault([&](World& w) { w.motions[2].L_W[k] = NAN; }).where, "motions[2].L_W" + which);
+  }
   for (int row = 0; row < 3; ++row)
     for (int col = 0; col < 3; ++col)
       EXPECT_EQ(fault([&](World& w) { w.motions[1].state.R_WB(row, col) = INFINITY; }).where, "motions[1].R_WB(" + std::to_string(row) + "," + std::to_string(col) + ")");
