@@ -50,9 +50,8 @@ void fold_series(const FlightConstants<T>& c, Numbers& f) {
     if (prime) {
       along[n] = power * sin(a * c.beta);
       across[n] = power * cos(a * c.beta);
-    } else if (c.symmetric || q == T(0)) {
-      along[n] = n == 0 ? T(1) : T(0);
-      across[n] = n == 0 ? (c.symmetric ? T(1) : T(sinh(c.beta) / cosh(c.beta))) : T(0);
+    } else if (c.symmetric) {  // one harmonic, and β without bound
+      along[n] = across[n] = n == 0 ? T(1) : T(0);
     } else {
       along[n] = power * cosh(a * c.beta) / cosh(c.beta);
       across[n] = power * sinh(a * c.beta) / cosh(c.beta);

@@ -126,7 +126,7 @@ TEST(Batch, HasTheBitsOfThePlainMethodOnAwkwardNumbers) {
 // A block of split2 takes the short series only if no lane needs the other: half a turn angle from 0.4 to 0.8 rad around the joint
 // at 1/2, alone in its block.
 TEST(Batch, HasTheBitsOfThePlainMethodWhereTheSeriesChange) {
-  for (const V& size : {V(1, 1, 1), V(1, 1.0625, 1.125), V(2, 0.125, 0.125)})
+  for (const V& size : {V(1, 1, 1), V(1, 1.0625, 1.125), V(2, 0.125, 0.125), V(0.25, 2, 0.125)})
     for (int axis = 0; axis < 3; ++axis)
       for (int k = 0; k < 100; ++k) {
         State<double> s;

@@ -110,6 +110,9 @@ TEST(ExactFlight, HandlesEveryDegenerateMotion) {
       {"about a stable axis but for 1e-200", {1, 2, 2.5}, {1e-200, 0, 3}},
       {"in a principal plane", {1, 2, 2.5}, {0, 0.3, 2}},
       {"in the other principal plane", {1, 2, 2.5}, {0.3, 0, 2}},
+      {"in principal planes, at 1 rad/s", {1, 2, 2.5}, {0, 1, 1.5}},
+      {"in principal planes, at 1 rad/s", {1, 2, 2.5}, {1, 0, 1.5}},
+      {"in principal planes, at 1 rad/s", {1, 2, 2.5}, {1, 1.5, 0}},
       {"negative spins", {1, 2, 2.5}, {-0.3, -0.4, -2}},
   };
   for (const auto& d : degenerate) {
@@ -164,7 +167,7 @@ TEST(ExactFlight, FoldsItsSeriesToTheLastBit) {
     for (int k = 0; k < 4; ++k) EXPECT_LT(std::fabs(double(P(got[k]) / want[std::size_t(k)] - 1)), 1.1 * 0x1p-53) << what << ", y^" << k;  // rounded once, from long double
   };
   int seen[2] = {0, 0};
-  for (const V& w : {V(1.1, 0.5, 2), V(1, 1, 1.25)}) {
+  for (const V& w : {V(1, 1, 1.5), V(1, 1, 1.45)}) {  // m = 0.479 and 0.506
     const V I(1, 2, 2.5);
     const auto flight = ExactFlight::make(I, w, generic);
     const auto& n = flight->tuned().numbers;
@@ -172,7 +175,7 @@ TEST(ExactFlight, FoldsItsSeriesToTheLastBit) {
     ++seen[prime];
     const FlightConstants<P> c = flight_constants<P>(I.cast<P>(), w.cast<P>());
     const P q = c.q, q4 = q * q * q * q, q9 = q4 * q4 * q, z2 = 1 + pow(q, 2) + pow(q, 6) + pow(q, 12);
-    ASSERT_GT(double(q), 0.01) << "not idle";
+    ASSERT_GT(double(q), 0.04) << "not idle";
     const P z3 = 1 + 2 * q + 2 * q4 + 2 * q9, z4 = 1 - 2 * q + 2 * q4 - 2 * q9;
     // sin(av)/sin v and cos(av)/cos v as polynomials of X = cos 2v; of cosh 2w they are sinh(aw)/sinh w and cosh(aw)/cosh w
     const auto sine = [](int a, const P& X) { return a == 1 ? P(1) : a == 3 ? P(1 + 2 * X) : a == 5 ? P(4 * X * X + 2 * X - 1) : P(8 * X * X * X + 4 * X * X - 4 * X - 1); };

@@ -1,6 +1,7 @@
 // Many flights together against one by one: the same bits.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cstring>
 #include <random>
 #include <rigor/engine/flight_batch.hpp>
@@ -70,6 +71,18 @@ TEST(FlightBatch, DoesNotDependOnThreads) {
     batch.evaluate(t, threads);
     expect_same(batch, all, t, std::to_string(threads) + " threads");
     t += 1;
+  }
+}
+
+// As of Batch: in lanes of nobody too, all that is computed is a number.
+TEST(FlightBatch, MakesNoInvalidOperationInLanesOfNobody) {
+  for (const V& w : {V(2, 0.7, 1.1), V(0.3, 2, 0.2)}) {  // the two series
+    FlightBatch batch({*ExactFlight::make({1, 2, 2.5}, w, identity3<double>())});
+    for (const Instructions with : supported_instructions()) {
+      std::feclearexcept(FE_ALL_EXCEPT);
+      batch.evaluate(1.25, 1, with);
+      EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO)) << w.transpose() << ", " << name(with);
+    }
   }
 }
 
