@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <rigor/base/promise.hpp>
 #include <rigor/engine/flight.hpp>
@@ -27,14 +26,9 @@ Flight::Flight(const Cuboid<double>& shape, const State<double>& start, const V&
 }
 
 double Flight::spin_bound(const Cuboid<double>& shape, const V& w_B) {
-  double energy2 = 0, L2 = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double L = shape.inertia()[i] * w_B[i];
-    energy2 += L * w_B[i];
-    L2 += L * L;
-  }
-  const double I_min = shape.inertia().minCoeff();
-  return std::sqrt(std::min(energy2, L2 / I_min) / I_min * (1 + 1e-12));
+  double energy2 = 0;
+  for (int i = 0; i < 3; ++i) energy2 += shape.inertia()[i] * w_B[i] * w_B[i];
+  return std::sqrt(energy2 / shape.inertia().minCoeff() * (1 + 1e-12));
 }
 
 double Flight::rounding(double tau) const {

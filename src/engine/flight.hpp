@@ -19,7 +19,7 @@ class Flight {
   const Vec3<double>& acceleration() const { return a_W_; }
   /// Bound on |α×r + ω×(ω×r)| over the whole flight for every |r| ≤ `radius`, m/s².
   ///
-  /// |ω|² ≤ min(2E, L²/I_min)/I_min for all time, and |α| ≤ |ω|²/√3, because |ω̇_i| = |I_j − I_k|/I_i |ω_j ω_k| and a
+  /// |ω|² ≤ 2E/I_min for all time, and |α| ≤ |ω|²/√3, because |ω̇_i| = |I_j − I_k|/I_i |ω_j ω_k| and a
   /// cuboid's moments keep |I_j − I_k| ≤ I_i.
   double acceleration_bound(double radius) const { return bound_ * radius; }
   /// What rounding may do to the place of a corner at τ, m: 16 u of the terms of its parabola and of radius × (1 + angle turned).

@@ -24,7 +24,6 @@ LocatedWorld::LocatedWorld(const Scene& scene, RunSummary& summary, const Locate
     energy_.start += energy(i, b.start);
     linear_.start += b.shape.mass() * b.start.v_WB;
     angular_.start += angular(i, b.start);
-    bodies_[i].phase = LocatedBody::Phase::stepping;  // unknown to each other until begun
     bodies_[i].stride = size(i);
   }
   for (Partners& p : partners_) p.known.reserve(32);
@@ -149,8 +148,7 @@ void LocatedWorld::act(const SceneAction& action) {
 void LocatedWorld::happen(std::size_t i) {
   LocatedBody& b = bodies_[i];
   const Moment now = b.start.after(b.next);
-  State<double> s = arrive(i, b.next);
-  if (b.phase == LocatedBody::Phase::sliding && b.trouble == nullptr && dot<double>(s.v_WB, b.flight->start().v_WB) <= 0) s.v_WB = zero3<double>();
+  const State<double> s = arrive(i, b.next);
   if (b.trouble != nullptr) return hand_over(i, now, s, b.trouble);
   LocatedImpact seen{i, now.value(), b.next, b.flight->start(), s, s};
   const long impacts = ledger_.impacts;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <rigor/base/interrupt.hpp>
 #include <rigor/engine/located.hpp>
 
 namespace rigor {
@@ -26,6 +27,91 @@ TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   const double deep = 0.15 - 9.8 * s.dt * s.dt / 2;
   EXPECT_NEAR(run->ledger.energy.correction, -2 * 9.8 * deep, 1e-13) << "pushed down by 4.9 + 0.5/2 - 5 m less the fall of a step";
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
+}
+
+// Thrown free of everything, gravity off at 1/2 s and on again at 5/4 s: three parabolas, of which the middle one is a line; and the
+// energy that goes with the switch and comes back with it.
+TEST(LocatedLedger, TheSwitchActsAtItsTime) {
+  Scene s;
+  s.method = "located";
+  s.gravity = V(1, -10, 2);
+  State<double> start;
+  start.p_WB = V(0.5, 3, -2), start.v_WB = V(1, 4, 0.5), start.w_WB = V(2, -3, 1);
+  s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.25, 1}), start}};
+  s.actions = {{0.5, SceneAction::Do::gravity_off}, {1.25, SceneAction::Do::gravity_on}, {2, SceneAction::Do::gravity_off}};
+  s.until = 2, s.every = 0.25;  // what happens at the end still happens
+  const V g = s.gravity;
+  const auto place = [&](double t) {
+    const double fell = std::fmin(t, 0.5), late = std::fmax(t - 1.25, 0);
+    return V(start.p_WB + t * start.v_WB + (fell * fell / 2 + fell * (t - fell) + late * late / 2) * g);
+  };
+  int rows = 0;
+  const auto run = simulate_located(s, [&](double t, const std::vector<State<double>>& states) {
+    EXPECT_LT(norm<double>(V(states[0].p_WB - place(t))), 1e-14) << t;
+    EXPECT_LT(norm<double>(V(states[0].v_WB - start.v_WB - (std::fmin(t, 0.5) + std::fmax(t - 1.25, 0)) * g)), 1e-14) << t;
+    ++rows;
+  });
+  ASSERT_TRUE(run);
+  EXPECT_EQ(rows, 9);
+  const Ledger& l = run->ledger;
+  EXPECT_NEAR(l.energy.switched, 2 * (dot<double>(g, place(0.5)) - dot<double>(g, place(1.25)) + dot<double>(g, place(2))), 1e-13);
+  EXPECT_LT(l.energy.worst_drift, 1e-13);
+  EXPECT_LT(l.linear.worst_drift, 1e-13);
+  EXPECT_LT(l.angular.worst_drift, 1e-13);
+  EXPECT_LT(norm<double>(V(l.linear.external - 2 * 1.25 * g)), 1e-13);
+}
+
+// One cuboid bounces without a loss, the other slides: without gravity the one comes down in a straight line and the other glides.
+TEST(LocatedLedger, TheSwitchActsOnWhatBouncesAndOnWhatSlides) {
+  Scene s;
+  s.method = "located";
+  s.gravity = V(0, -10, 0);
+  s.surface = *Surface<double>::make(1, 0.3, 0.3);
+  s.friction_law = FrictionLaw::coulomb;
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  State<double> bouncing, sliding;
+  bouncing.p_WB = V(1, 0.25 + 0.05, -2);
+  sliding.p_WB = V(10, 0.125, 3), sliding.v_WB = V(3, 0, 0);
+  s.bodies = {{*Cuboid<double>::make(1.5, {0.75, 0.5, 1}), bouncing}, {*Cuboid<double>::make(2, {0.5, 0.25, 1}), sliding}};
+  s.actions = {{0.25, SceneAction::Do::gravity_off}, {0.5, SceneAction::Do::gravity_on}};
+  s.until = 0.6;
+  std::vector<State<double>> end;
+  const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+  ASSERT_TRUE(run);
+  EXPECT_TRUE(run->handed_over.empty()) << run->handed_over[0].why;
+  // down after 0.1 s; up at 1 m/s for 0.15 s to 37.5 mm and -0.5 m/s; down after 75 ms; up at 0.5 m/s for 0.175 s; 0.1 s of weight
+  EXPECT_EQ(run->ledger.plane_impacts, 2);
+  EXPECT_NEAR(end[0].p_WB[1], 0.25 + 0.5 * 0.175 + 0.5 * 0.1 - 5 * 0.01, 1e-15);
+  EXPECT_NEAR(end[0].v_WB[1], 0.5 - 1, 1e-14);
+  // 3 m/s² from 3 m/s for 0.25 s; 2.25 m/s for 0.25 s; 3 m/s² for 0.1 s
+  EXPECT_NEAR(end[1].p_WB[0], 10 + (0.75 - 1.5 * 0.0625) + 2.25 * 0.25 + (0.225 - 1.5 * 0.01), 1e-14);
+  EXPECT_NEAR(end[1].v_WB[0], 1.95, 1e-14);
+  EXPECT_NEAR(run->ledger.energy.friction_loss, 3 * 3 - 1.95 * 1.95, 1e-13) << "m v²/2, m = 2";
+  EXPECT_NEAR(run->ledger.energy.restitution_loss, 0, 1e-14);
+  EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
+  EXPECT_LT(run->ledger.linear.worst_drift, 1e-13);
+  EXPECT_LT(run->ledger.angular.worst_drift, 1e-12);
+}
+
+// A run that is asked to stop ends at the row to come.
+TEST(LocatedLedger, OfAnInterruptedRunEndsWhereItStopped) {
+  Scene s;
+  s.method = "located";
+  State<double> start;
+  start.p_WB = V(0, 7, 0), start.w_WB = V(2, -3, 1);
+  s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.25, 1}), start}};
+  s.until = 2, s.every = 0.25;
+  std::vector<double> rows;
+  const auto run = simulate_located(s, [&](double t, const std::vector<State<double>>&) {
+    rows.push_back(t);
+    if (rows.size() == 3) detail::interrupt_seen = SIGINT;
+  });
+  detail::interrupt_seen = 0;
+  ASSERT_TRUE(run);
+  EXPECT_TRUE(run->interrupted);
+  EXPECT_EQ(rows, (std::vector<double>{0, 0.25, 0.5, 0.75}));
+  EXPECT_EQ(run->t_end, 0.75);
+  EXPECT_NEAR(run->ledger.linear.external[1], -2 * 9.8 * 0.75, 1e-13);
 }
 
 // Eight cubes of 2^-8 J and one of 2^46 J land flat without gravity, e = 1/2, the one first: it loses 3/4 of 2^46 J, whose last bit is
@@ -62,6 +148,9 @@ TEST(LocatedLedger, ExplainsTheAssignmentsScene) {
     const Ledger& l = run->ledger;
     // a step and an impact leave a few u of the energies and momenta they exchange
     const double roundings = double(l.impacts + run->steps) * 8 * 0x1p-53;
+    for (const double some : {l.energy.worst_drift, l.linear.worst_drift, l.angular.worst_drift, l.worst_orthonormality}) EXPECT_GT(some, 0) << "thousands of roundings";
+    EXPECT_LT(l.worst_orthonormality, 1e-15);
+    EXPECT_LT(std::fabs(l.energy.worst_drift - std::fabs(l.energy.end - l.energy.start - l.energy.correction - l.energy.switched + l.energy.restitution_loss + l.energy.friction_loss)), 8 * 0x1p-52 * l.energy.start);
     EXPECT_LT(l.energy.worst_drift, roundings * l.energy.start) << seed;
     EXPECT_LT(l.linear.worst_drift, roundings * 300) << seed << ": 25 kg, 10 m/s";
     EXPECT_LT(l.angular.worst_drift, roundings * 3000) << seed << ": at 10 m";

@@ -81,7 +81,7 @@ Scene world_of(Draw& draw, int w) {
 // Pairs whose boxes do not overlap, and planes a flight's sphere stays clear of, against the search of all: same bits.
 TEST(LocatedSkip, ChangesNoBit) {
   Draw draw;
-  const int worlds = std::getenv("RIGOR_ALL") != nullptr ? 3000 : 24;
+  const int worlds = std::getenv("RIGOR_ALL") != nullptr ? 3000 : 12;
   long left_out = 0, pairs = 0, planes = 0, impacts = 0, meetings = 0, advances = 0;
   for (int w = 0; w < worlds; ++w) {
     const Scene s = world_of(draw, w);
@@ -124,6 +124,54 @@ TEST(LocatedSkip, ABoxHoldsItsFlight) {
       room = std::fmin(room, std::fmin(low.minCoeff(), high.minCoeff()) - radius);
     }
     EXPECT_LT(room, 0.01) << k << ": no larger than need be";
+  }
+}
+
+// A pair is searched if its spheres, 1.001 of their radii and a thousandth of the way to spare, could meet before the run is over. The
+// end from which on it is: where what is left out becomes less, by halving.
+double searched_from(Scene s, double low, double high) {
+  const auto left_out = [&](double until) {
+    s.until = s.every = until;
+    return run(s, {}).summary.ledger.skips.pairs;
+  };
+  const long before = left_out(low);
+  EXPECT_EQ(left_out(high), before - 1);
+  for (int k = 0; k < 60; ++k) (left_out((low + high) / 2) == before ? low : high) = (low + high) / 2;
+  return low;
+}
+TEST(LocatedSkip, SearchesAPairFromWhereItsSpheresCouldMeet) {
+  Scene s;
+  s.method = "located";
+  s.friction_law = FrictionLaw::coulomb;
+  const auto A = *Cuboid<double>::make(2, {0.5, 0.25, 1}), B = *Cuboid<double>::make(1, {0.75, 0.5, 0.25});
+  const double spheres = 1.001 * (norm<double>(A.size()) + norm<double>(B.size())) / 2;
+  State<double> a, b;
+  for (const double far : {0.0, 1e3}) {  // what places are rounded by, 16 u of their terms, is to spare too
+    const auto expect_from = [&](double got, double want, double speed, int places) {
+      const double earlier = 16 * 0x1p-53 * places * 2 * far / 1.001 / speed;  // of two coordinates each
+      EXPECT_NEAR(got, want - earlier, far > 0 ? earlier / 10 : 1e-13);
+    };
+    // one rests on the floor, the other is thrown at it
+    s.gravity = V(0, -9.8, 0);
+    s.surface = *Surface<double>::make(0, 0.5, 0.5);
+    s.planes = {*Plane<double>::make(V(0, 0, 0), V(0, 1, 0))};
+    a.p_WB = V(far, 0.125, -far), b.p_WB = a.p_WB + V(2, 2, 2), b.v_WB = V(-12, -12, -12);
+    s.bodies = {{A, a}, {B, b}};
+    const double d = norm<double>(V(2, 2, 2)), v = norm<double>(b.v_WB), g = 9.8;
+    const double way = (d - spheres) / 1.001, after = (std::sqrt(v * v + 2 * g * way) - v) / g;
+    expect_from(searched_from(s, 0.01, 0.13), after, v + g * after, 2);
+
+    // both fall, one after it has met a wall flat after a quarter of a second; it is then 3 m along the diagonal and closes in on it
+    s.gravity = V(1, -9.8, 2);
+    s.surface = *Surface<double>::make(1, 0, 0);
+    s.planes = {*Plane<double>::make(V(5 + far, 0, 0), V(-1, 0, 0))};
+    const double t = 0.25;
+    const V hit(5 + far - 0.375, 7, -far), fall = t * t / 2 * s.gravity;
+    b.v_WB = V(3 - 2 * t * s.gravity[0], -3, -3), b.p_WB = hit - t * b.v_WB - fall;
+    a.v_WB = zero3<double>(), a.p_WB = hit - V(3, 3, 3) / std::sqrt(3) - fall;
+    s.bodies = {{A, a}, {B, b}};
+    const double closing = norm<double>(V(3, 3, 3));
+    expect_from(searched_from(s, t + 0.01, t + 0.5), t + (3 - spheres) / 1.001 / closing, closing, 3);  // the flight to the wall too
   }
 }
 

@@ -25,6 +25,23 @@ Pose turned() {
   return pose;
 }
 
+// Half a diagonal 7/2; 16 u of the terms of a gap and of the speeds in a rate. Gaps and rates by the corners themselves.
+TEST(CornerGaps, RoundingIsSixteenUnitsOfTheTerms) {
+  const auto shape = *Cuboid<double>::make(2, {2, 3, 6});
+  const auto plane = *Plane<double>::make(V(8, -16, 64), V(2, 1, -2) / 3);
+  State<double> s;
+  s.p_WB = V(1, -2, 4), s.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3)), s.v_WB = V(3, 4, 12), s.w_WB = V(2, -3, 6);
+  const CornerGaps c = corner_gaps(shape, s, plane);
+  EXPECT_NEAR(c.rounding / (16 * 0x1p-53 * (3.5 + (2 * (1 + 8) + (2 + 16) + 2 * (4 + 64)) / 3.0)), 1, 1e-15);
+  EXPECT_NEAR(c.still / (16 * 0x1p-53 * (13 + 7 * 7)), 1, 1e-15);
+  for (int k = 0; k < 8; ++k) {
+    const V r = s.R_WB * shape.corner(k);
+    EXPECT_NEAR(c.gap[std::size_t(k)], (V(s.p_WB + r - plane.point()).dot(plane.normal())), 1e-13);
+    EXPECT_NEAR(c.rate[std::size_t(k)], (V(s.v_WB + cross<double>(s.w_WB, r)).dot(plane.normal())), 1e-13);
+    EXPECT_EQ(c.touches(k), c.gap[std::size_t(k)] <= c.rounding);
+  }
+}
+
 // Pressed against the plane at rest: there is no time to name, whichever corner it is.
 TEST(NextPlaneContact, IsTangledWhereAnyOneCornerStays) {
   const Pose pose = turned();
