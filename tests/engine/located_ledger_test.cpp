@@ -3,6 +3,7 @@
 #include <cmath>
 #include <rigor/base/interrupt.hpp>
 #include <rigor/engine/located.hpp>
+#include <rigor/linalg/rotation.hpp>
 
 namespace rigor {
 namespace {
@@ -91,6 +92,42 @@ TEST(LocatedLedger, TheSwitchActsOnWhatBouncesAndOnWhatSlides) {
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
   EXPECT_LT(run->ledger.linear.worst_drift, 1e-13);
   EXPECT_LT(run->ledger.angular.worst_drift, 1e-12);
+}
+
+// On a slope the work of gravity during a slide is not the friction's, whatever gravity is when it is booked.
+TEST(LocatedLedger, TheSwitchBooksASlideWithTheGravityItHad) {
+  Scene s;
+  s.method = "located";
+  s.gravity = V(0.5, -10, 0);
+  s.surface = *Surface<double>::make(0.5, 0.3, 0.3);
+  s.friction_law = FrictionLaw::coulomb;
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  State<double> sliding;
+  sliding.p_WB = V(10, 0.125, 3), sliding.v_WB = V(3, 0, 0);
+  s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.25, 1}), sliding}};
+  s.actions = {{0.25, SceneAction::Do::gravity_off}};
+  s.until = 0.5;
+  const auto run = simulate_located(s, nothing);
+  ASSERT_TRUE(run);
+  EXPECT_NEAR(run->ledger.energy.friction_loss, 2 * 3 * (3 * 0.25 - 2.5 / 2 * 0.0625), 1e-13) << "m mu g times the way";
+  EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
+}
+
+// To and fro between two walls with a slow spin: what an impact's roundings do to the attitude does not add up over thousands.
+TEST(LocatedLedger, AttitudesStayRotationsOverThousandsOfImpacts) {
+  Scene s;
+  s.method = "located", s.gravity = zero3<double>();
+  s.surface = *Surface<double>::make(1, 0, 0);
+  for (const double side : {-1.0, 1.0}) s.planes.push_back(*Plane<double>::make(V(0, side, 0), V(0, -side, 0)));
+  State<double> start;
+  start.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3)), start.v_WB = V(0, 0.045, 0), start.w_WB = V(0.01, -0.005, 0.0075);
+  s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.4, 0.3}), start}};
+  s.until = s.every = 1e5;
+  const auto run = simulate_located(s, nothing);
+  ASSERT_TRUE(run);
+  EXPECT_GT(run->ledger.impacts, 2000);
+  std::printf("orthonormal to %.1e after %ld impacts\n", run->ledger.worst_orthonormality, run->ledger.impacts);
+  EXPECT_LT(run->ledger.worst_orthonormality, 1e-15);
 }
 
 // A run that is asked to stop ends at the row to come.

@@ -103,6 +103,39 @@ TEST(LocatedPairs, KeepMomentaAndLoseTheEnergyOfRestitution) {
   EXPECT_LE(handed_over, 20) << "thirteen were seen";
 }
 
+// Dropped 0.45 m onto another that rests on the floor, centre above centre, e = 1/2, as large and twice as heavy: what both observers see.
+// The one below is pressed into the floor by it and comes to rest again as soon as it is hit.
+TEST(LocatedPairs, WhatRestsIsMet) {
+  for (const bool below_first : {true, false}) {
+    Scene s;
+    s.method = "located";
+    s.gravity = V(0, -10, 0);
+    s.surface = *Surface<double>::make(0.5, 0.4, 0.3);
+    s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+    State<double> below, above;
+    below.p_WB = V(1, 0.125, -2), above.p_WB = V(1, 0.25 + 0.45 + 0.125, -2);
+    const SceneBody low{*Cuboid<double>::make(1, {0.5, 0.25, 1}), below}, high{*Cuboid<double>::make(2, {0.5, 0.25, 1}), above};
+    s.bodies = {below_first ? low : high, below_first ? high : low};
+    s.until = s.every = 0.3005;
+    std::vector<LocatedImpact> seen;
+    const auto done = simulate_located(s, [](double, const auto&) {}, [&](const LocatedImpact& impact) { seen.push_back(impact); });
+    ASSERT_TRUE(done);
+    EXPECT_GE(done->ledger.pair_impacts, 1);
+    ASSERT_GE(seen.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const LocatedImpact& impact = seen[k];
+      const bool is_low = (impact.body == 0) == below_first;
+      EXPECT_EQ(impact.body, k) << "in order of index";
+      EXPECT_NEAR(impact.t, 0.3, 1e-14);
+      EXPECT_NEAR(impact.tau, 0.3, 1e-14);
+      EXPECT_EQ(impact.from.p_WB, is_low ? below.p_WB : above.p_WB);
+      EXPECT_NEAR(impact.before.v_WB[1], is_low ? 0 : -3, 1e-14);
+      // 3 m/s, masses 1 and 2: the common speed is 2 m/s down, half the approach comes back
+      EXPECT_NEAR(impact.after.v_WB[1], is_low ? -2 - 1 : -2 + 0.5, 1e-13);
+    }
+  }
+}
+
 Scene room(Draw& draw, double e) {
   Scene s;
   s.surface = *Surface<double>::make(e, 0, 0);
