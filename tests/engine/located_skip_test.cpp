@@ -173,6 +173,13 @@ TEST(LocatedSkip, SearchesAPairFromWhereItsSpheresCouldMeet) {
     const double closing = norm<double>(V(3, 3, 3));
     expect_from(searched_from(s, t + 0.01, t + 0.5), t + (3 - spheres) / 1.001 / closing, closing, 3);  // the flight to the wall too
   }
+  // a million metres in each second, and no place to begin with: the terms of a place are those of the way
+  s.gravity = zero3<double>(), s.planes.clear();
+  a.p_WB = zero3<double>(), a.v_WB = V(0x1p20, 0x1p20, 0x1p20), b.p_WB = V(2, 2, 2), b.v_WB = a.v_WB - V(2, 2, 2);
+  s.bodies = {{A, a}, {B, b}};
+  const double closing = norm<double>(V(2, 2, 2)), want = (closing - spheres) / 1.001 / closing;
+  const double earlier = 16 * 0x1p-53 * 2 * 3 * 0x1p20 * want / 1.001 / closing;
+  EXPECT_NEAR(searched_from(s, 0.1, 0.9), want - earlier, earlier / 10);
 }
 
 // Spread out in space, each has to do with few: the searches are as many for each, however many they are.
