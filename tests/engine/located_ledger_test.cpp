@@ -178,10 +178,17 @@ TEST(LocatedLedger, ExplainsTheAssignmentsScene) {
     Scene s = builtin_scene("assignment", seed);
     s.method = "located";
     s.actions = {{5, SceneAction::Do::gravity_off}, {6, SceneAction::Do::gravity_on}};
-    s.until = 12;
-    const auto run = simulate_located(s, nothing);
+    s.until = 12, s.every = s.dt;
+    std::vector<State<double>> before;
+    double jump = 0;
+    const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) {
+      for (std::size_t i = 0; i < before.size(); ++i)
+        jump = std::fmax(jump, norm<double>(V(states[i].p_WB - before[i].p_WB)) - s.dt * std::fmax(norm<double>(states[i].v_WB), norm<double>(before[i].v_WB)));
+      before = states;
+    });
     ASSERT_TRUE(run);
     EXPECT_FALSE(run->handed_over.empty()) << seed;
+    EXPECT_LT(jump, 2 * run->ledger.deepest_penetration + 10 * s.dt * s.dt) << "no one moves faster than he moves, but where he is pushed out";
     const Ledger& l = run->ledger;
     // a step and an impact leave a few u of the energies and momenta they exchange
     const double roundings = double(l.impacts + run->steps) * 8 * 0x1p-53;

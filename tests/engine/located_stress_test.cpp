@@ -241,6 +241,7 @@ TEST(LocatedStress, HandOversOfOneReasonAreOneRecord) {
     for (const HandOver& h : run->handed_over) {
       EXPECT_NE(h.why, last[h.body]) << "seed " << seed << ", cuboid " << h.body;
       EXPECT_LT(h.from, h.to);
+      EXPECT_LE(h.to, run->t_end);
       last[h.body] = h.why;
       times += h.times, ++records;
     }
