@@ -153,16 +153,17 @@ TEST(LocatedPairs, ABoundOnRoundingsIsNoRounding) {
   EXPECT_TRUE(run->handed_over.empty()) << run->handed_over[0].why;
 }
 
-// Cubes of a micrometre that turn a thousand times a second and close in at a tenth of a micrometre a second: that is no standing still.
+// Cubes of ten nanometres that close in at a nanometre a second, one of them turning a thousand times a second or none: that is no
+// standing still.
 TEST(LocatedPairs, ASlowApproachOfTinyOnesIsOne) {
-  for (const std::size_t spins : {0, 1}) {
+  for (const int spins : {0, 1, 2}) {
     Scene s;
-    s.method = "located", s.gravity = zero3<double>(), s.until = 4;
+    s.method = "located", s.gravity = zero3<double>(), s.until = spins < 2 ? 0.8 : 3;
     s.surface = *Surface<double>::make(1, 0, 0);
     State<double> a, b;
-    b.p_WB = V(1.5e-6, 0.1e-6, 0.2e-6), b.v_WB = V(-1e-7, 0, 0);
-    (spins == 0 ? a : b).w_WB = V(0, 0, 6000);
-    const auto cube = *Cuboid<double>::make(1, {1e-6, 1e-6, 1e-6});
+    b.p_WB = V(1.25e-8, 0.1e-8, 0.2e-8), b.v_WB = V(-1e-9, 0, 0);
+    if (spins < 2) (spins == 0 ? a : b).w_WB = V(0, 0, 6000);
+    const auto cube = *Cuboid<double>::make(1, {1e-8, 1e-8, 1e-8});
     s.bodies = {{cube, a}, {cube, b}};
     const auto run = simulate_located(s, [](double, const auto&) {});
     ASSERT_TRUE(run);
