@@ -25,6 +25,8 @@ TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   ASSERT_TRUE(run);
   ASSERT_EQ(run->handed_over.size(), 1u);
   EXPECT_NEAR(run->handed_over[0].to, 11 * s.dt, 1e-15) << "one in which it was pushed out, and ten";
+  EXPECT_EQ(run->handed_over[0].times, 1);
+  EXPECT_GE(run->steps, 11);
   const double deep = 0.15 - 9.8 * s.dt * s.dt / 2;
   EXPECT_NEAR(run->ledger.energy.correction, -2 * 9.8 * deep, 1e-13) << "pushed down by 4.9 + 0.5/2 - 5 m less the fall of a step";
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
