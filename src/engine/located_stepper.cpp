@@ -25,7 +25,6 @@ void LocatedWorld::hand_over(std::size_t i, const Moment& now, const State<doubl
   summary_.finite = summary_.finite && is_finite(s);
   b.phase = LocatedBody::Phase::stepping;
   b.start = now;
-  b.support = -1;
   land(i);
   b.state = s;
   b.rounding = 0;  // it is put against what it touches
@@ -100,7 +99,7 @@ void LocatedWorld::step_all(double t) {
     if (!bodies_[j].flight) continue;  // it has joined
     const State<double> s = bodies_[j].flight->at(bodies_[j].start.until(t));
     const State<double>& other = bodies_[i].state;
-    if (norm<double>(V(other.p_WB - s.p_WB)) > (size(i) + size(j)) / 2 || separation(shape(i), other, shape(j), s).gap > 0) continue;
+    if (spheres_apart(i, other, j, s) || separation(shape(i), other, shape(j), s).gap > 0) continue;
     const State<double> there = arrive(j, bodies_[j].start.until(t));
     hand_over(j, Moment{t, 0}, there, "met a cuboid in the stepper");
   }
@@ -186,13 +185,17 @@ void LocatedWorld::watch_pair(std::size_t i, std::size_t j) {
   ++missed.times, missed.to = met;
 }
 
+bool LocatedWorld::spheres_apart(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const {
+  return norm<double>(V(b.p_WB - a.p_WB)) > (size(i) + size(j)) / 2;
+}
+
 bool LocatedWorld::clear(std::size_t i) {
   const State<double>& s = bodies_[i].state;
   near(boxes_.box(std::uint32_t(i)), found_);
   for (const std::uint32_t j : found_) {
     if (j == i) continue;
     const State<double> other = state_at(bodies_[j], bodies_[i].start.value());
-    if (norm<double>(V(other.p_WB - s.p_WB)) <= (size(i) + size(j)) / 2 && separation(shape(i), s, shape(j), other).gap <= 0) return false;
+    if (!spheres_apart(i, s, j, other) && separation(shape(i), s, shape(j), other).gap <= 0) return false;
   }
   return true;
 }
@@ -213,7 +216,7 @@ bool LocatedWorld::respond(std::size_t i, const Plane<double>& plane) {
 
 bool LocatedWorld::push_apart(std::size_t i, std::size_t j) {
   State<double> a = bodies_[i].state, b = bodies_[j].state;
-  if (norm<double>(V(b.p_WB - a.p_WB)) > (size(i) + size(j)) / 2) return false;
+  if (spheres_apart(i, a, j, b)) return false;
   const Manifold found = box_box(shape(i), a, shape(j), b);
   if (!found.touches()) return false;
   const V point = found.centroid(), shift = found.depth / 2 * found.n_AB_W;

@@ -157,7 +157,8 @@ class LocatedWorld {
   void watch_pair(std::size_t i, std::size_t j);
   /// A body in the stepper has moved: where it has left its box it gets a new one, and true is returned.
   bool settle(std::size_t i);
-  /// Not inside a plane or a body that flies: only then can it fly itself.
+  bool spheres_apart(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const;
+  /// Not inside another cuboid: only then can it fly itself.
   bool clear(std::size_t i);
   bool respond(std::size_t i, const Plane<double>& plane);
   bool push_apart(std::size_t i, std::size_t j);

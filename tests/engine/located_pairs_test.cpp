@@ -137,6 +137,24 @@ TEST(LocatedPairs, WhatRestsIsMet) {
   }
 }
 
+// Two that begin a centimetre inside each other are handed over, and each is pushed out by half of it.
+TEST(LocatedPairs, AnOverlapIsTakenOutByHalves) {
+  Scene s;
+  s.method = "located", s.gravity = zero3<double>(), s.until = 0.01;
+  State<double> a, b;
+  a.p_WB = V(1, 2, 3), b.p_WB = V(1 + 0.5 + 0.25 - 0.01, 2.1, 3.05);
+  s.bodies = {{*Cuboid<double>::make(2, {1, 0.75, 1.25}), a}, {*Cuboid<double>::make(1, {0.5, 1, 0.75}), b}};
+  std::vector<State<double>> end;
+  const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->handed_over.size(), 2u);
+  EXPECT_EQ(run->handed_over[0].why, "begins inside another cuboid");
+  EXPECT_LT(norm<double>(V(end[0].p_WB - a.p_WB - V(-0.005, 0, 0))), 1e-15);
+  EXPECT_LT(norm<double>(V(end[1].p_WB - b.p_WB - V(0.005, 0, 0))), 1e-15);
+  EXPECT_NEAR(run->ledger.deepest_penetration, 0.005, 1e-15) << "the way of each";
+  EXPECT_EQ(run->ledger.impacts, 0);
+}
+
 // Two cubes of which one comes 2^41 m at 2^41 m/s, all of it without a rounding: bounds of 16 u of such places are a hundredth of a
 // cube, and yet nothing is wrong with where they meet.
 TEST(LocatedPairs, ABoundOnRoundingsIsNoRounding) {

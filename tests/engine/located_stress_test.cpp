@@ -354,6 +354,8 @@ TEST(LocatedStress, WhatTheStepperMayHaveMissedIsNamed) {
   EXPECT_LT(missed.from, s.dt);
   EXPECT_LE(missed.from, missed.to);
   EXPECT_LE(missed.to, s.until);
+  s.until = s.dt;
+  EXPECT_EQ(simulate_located(s, [](double, const auto&) {})->may_have_missed.at(0).times, 1) << "once in a step";
 }
 
 TEST(LocatedStress, WhatHasTorqueIsRefused) {
