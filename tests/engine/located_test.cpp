@@ -179,7 +179,51 @@ TEST(Located, AFlatSlideStopsWhereItShouldInEveryDirection) {
     EXPECT_EQ(norm<double>(end.states.back().v_WB), 0) << k;
     EXPECT_NEAR(end.summary.ledger.energy.friction_loss, v * v, 1e-12 * v * v) << k;  // m v^2/2, m = 2
     EXPECT_TRUE(end.summary.handed_over.empty());
+    EXPECT_TRUE(end.summary.accumulations.empty()) << "it never bounced";
   }
+}
+
+// A block that lands flat with speed to the side is stopped as a mass point is as long as the normal force finds its place in the face:
+// half its height times mu within half its length. Beyond that it tips. On a turned floor, along either edge of the face.
+TEST(Located, AFlatLandingTipsWhereThePressureLeavesTheFace) {
+  const V size(0.5, 1, 0.8);  // along x at mu = 0.5, along z at 0.8
+  const Mat3<double> turned = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
+  for (const int axis : {0, 2})
+    for (const double part : {0.99, 1.01}) {
+      const double mu = part * size[axis] / size[1];
+      State<double> start;
+      start.R_WB = turned;
+      start.p_WB = turned * V(0.3, 0.5 + 0.1, -0.2);
+      V v(0, -3, 0);
+      v[axis] = 20;
+      start.v_WB = turned * v;
+      Scene s = one(size, start, 0.5, mu, 0.05, 0);
+      s.planes = {*Plane<double>::make(V(0, 0, 0), V(turned.col(1)))};
+      const Ended end = run(s);
+      ASSERT_TRUE(end.summary.handed_over.empty()) << end.summary.handed_over[0].why;
+      const State<double>& last = end.states.back();
+      if (part < 1) {
+        EXPECT_EQ(norm<double>(last.w_WB), 0) << axis;
+        V after(0, 1.5, 0);
+        after[axis] = 20 - mu * 4.5;
+        EXPECT_LT(norm<double>(V(last.v_WB - turned * after)), 1e-13) << axis;
+      } else {
+        EXPECT_GT(norm<double>(last.w_WB), 1) << axis;
+      }
+    }
+}
+
+// Pressed into the edge between a floor and a wall: no exact phase.
+TEST(Located, WhatRestsOnTwoPlanesIsHandedOver) {
+  State<double> start;
+  start.p_WB = V(0.25, 0.125, 0);
+  Scene s = one({0.5, 0.25, 1}, start, 0.5, 0.3, 0.1);
+  s.gravity = V(-5, -8, 0);
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(1, 0, 0)));
+  const Ended end = run(s);
+  ASSERT_EQ(end.summary.handed_over.size(), 1u);
+  EXPECT_EQ(end.summary.handed_over[0].why, "rests on more than one plane");
+  EXPECT_LT(norm<double>(V(end.states.back().p_WB - start.p_WB)), 10 * 9.5 * s.dt * s.dt) << "but for the falls of a few steps; 3.3 were seen";
 }
 
 // case FR-01 to FR-03: at rest for ever below the friction angle, a = g (sin - mu cos) above it; the threshold is the
