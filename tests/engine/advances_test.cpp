@@ -224,5 +224,34 @@ TEST(PairAdvance, IsTheSpheresFromFarAway) {
   }
 }
 
+// 16 u of the distance, of half a diagonal of each and of every coordinate.
+TEST(PairAdvance, TouchingIsSixteenUnitsOfTheTermsOfAGap) {
+  const auto A = *Cuboid<double>::make(2, {2, 3, 6}), B = *Cuboid<double>::make(1, {1, 2, 2});
+  State<double> a, b;
+  a.p_WB = V(1, -2, 4), b.p_WB = V(1 + 3, -2 - 4, 4 + 12);
+  EXPECT_NEAR(touching_gap(A, a, B, b) / (16 * 0x1p-53 * (13 + 3.5 + 1.5 + 7 + (4 + 6 + 16))), 1, 1e-15);
+}
+
+// A parabola along each axis: one that turns on the way, one that turned before, one without a pull. To spare: a thousandth of the
+// radius, 1e-12 of the places, the rounding of a flight, and the way in 8 u of the time.
+TEST(SweptBox, HoldsThreeParabolasAndWhatIsToSpare) {
+  State<double> start;
+  start.p_WB = V(3, -5, 7), start.v_WB = V(2, 1, -4);
+  const Flight flight(*Cuboid<double>::make(2, {2, 3, 6}), start, V(-4, 2, 0));
+  const double from = 0.25, to = 1.5;
+  const V low(3 + 2 * to - 2 * to * to, -5 + from + from * from, 7 - 4 * to), high(3 + 2 * 0.5 - 2 * 0.25, -5 + to + to * to, 7 - 4 * from);
+  for (const double radius : {0.0, 0.5})
+    for (const double t : {0.0, -1e9}) {
+      const AxisBox box = swept_box(flight, radius, from, to, t);
+      const double places = std::fmax(std::fabs(low[0]), high[0]) + std::fmax(std::fabs(low[1]), std::fabs(high[1])) + high[2];
+      const double late = 8 * 0x1p-53 * (std::fabs(t) + to), speed = std::sqrt(4 + 1 + 16), pull = std::sqrt(16 + 4);
+      const double reach = 1.001 * radius + 1e-12 * places + flight.rounding(to) + late * (speed + (to + late) * pull);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR((low[k] - box.low[k]) / reach, 1, radius > 0 ? 1e-14 : t == 0 ? 1e-3 : 1e-8) << k << ' ' << radius << ' ' << t;
+        EXPECT_NEAR((box.high[k] - high[k]) / reach, 1, radius > 0 ? 1e-14 : t == 0 ? 1e-3 : 1e-8) << k << ' ' << radius << ' ' << t;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace rigor
