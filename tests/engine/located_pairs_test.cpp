@@ -142,8 +142,8 @@ TEST(LocatedPairs, AnOverlapIsTakenOutByHalves) {
   Scene s;
   s.method = "located", s.gravity = zero3<double>(), s.until = 0.01;
   State<double> a, b;
-  a.p_WB = V(1, 2, 3), b.p_WB = V(1 + 0.5 + 0.25 - 0.01, 2.1, 3.05);
-  s.bodies = {{*Cuboid<double>::make(2, {1, 0.75, 1.25}), a}, {*Cuboid<double>::make(1, {0.5, 1, 0.75}), b}};
+  a.p_WB = V(1, 2, 3), b.p_WB = V(1 + 2 - 0.01, 2.01, 3.02);  // beams end to end, as far from each other as they can be
+  s.bodies = {{*Cuboid<double>::make(2, {2, 0.1, 0.15}), a}, {*Cuboid<double>::make(1, {2, 0.15, 0.1}), b}};
   std::vector<State<double>> end;
   const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
   ASSERT_TRUE(run);
