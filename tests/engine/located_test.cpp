@@ -333,6 +333,14 @@ TEST(Located, BeginsInsideAPlaneFromABillionthOfItsSizeOn) {
     }
 }
 
+// A million kilometres from the origin half a micrometre is within what the place is rounded by: 16 u of 2e9 m.
+TEST(Located, BeginsOnAPlaneWhereThePlaceCannotBeToldFromIt) {
+  Scene s = one({0.5, 0.25, 1}, above(1e9 + 0.125 - 5e-7), 0.5, 0.3, 0.1);
+  s.planes = {*Plane<double>::make(V(0, 1e9, 0), V(0, 1, 0))};
+  const Ended end = run(s);
+  EXPECT_TRUE(end.summary.handed_over.empty()) << end.summary.handed_over[0].why;
+}
+
 // Without spin the attitude stays to the bit, through impacts too: rounding has made it a rotation but for the last bits.
 TEST(Located, ACuboidThatDoesNotTurnKeepsItsAttitudeToTheBit) {
   int rounded = 0;
