@@ -144,6 +144,7 @@ void print_figures(const std::string& id) {
                   r.bound, r.cases);
     text += line + r.oracle + "\n";
   }
+  for (const auto& r : measured.absent) text += "- no " + r.part + ": " + r.why + "\n";
   print_block("FIGURES (measured now; more: rigor verify --id ID)", text, filled);
 }
 

@@ -56,6 +56,7 @@ nlohmann::json as_json(const verify::Result& result, const Options& options) {
   };
   for (const auto& r : result.agreements) out["agreements"].push_back(agreement(r));
   for (const auto& r : result.engines) out["engines"].push_back(agreement(r));
+  for (const auto& r : result.absent) out["absent"].push_back({{"id", r.id}, {"part", r.part}, {"why", r.why}});
   return out;
 }
 
@@ -79,6 +80,8 @@ void print(const verify::Result& result) {
   for (const auto& r : result.roundings)
     std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
                 mark(r, "   ABOVE"));
+  if (!result.absent.empty()) std::printf("\nWITHOUT A ROW\n");
+  for (const auto& r : result.absent) std::printf("%s", report::filled(r.id + ", " + r.part + ": " + r.why, 80, 2).c_str());
   if (!result.agreements.empty()) std::printf("\nORACLES: agreement with a method that does not share the formula\n");
   print(result.agreements);
   if (!result.engines.empty()) std::printf("%sENGINES: each fast path against a plain one or another author\n", result.agreements.empty() ? "" : "\n");

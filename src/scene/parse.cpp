@@ -175,7 +175,7 @@ Scene from_json(const Json& json) {
   if (has(json, "until")) s.until = number(json["until"], "until", 0, most, "in [0, 1e30] s");
   if (has(json, "every")) s.every = number(json["every"], "every", 0, most, "0 (each step) or at most 1e30 s");
   if (has(json, "seed")) {
-    if (!json["seed"].is_number_unsigned()) refuse(Kind::wrong_type, "seed", "must be a whole number >= 0");
+    if (!json["seed"].is_number_unsigned()) refuse(Kind::wrong_type, "seed", "is " + json["seed"].dump() + ", must be a whole number from 0 to 18446744073709551615");
     s.seed = json["seed"].get<std::uint64_t>();
   }
   return s;

@@ -31,11 +31,19 @@ struct Agreement {
   bool ok() const { return cases > 0 && worst <= bound; }
 };
 
+/// What a formula has no row of, and why.
+struct Absent {
+  std::string id;
+  std::string part;  ///< "exact identity", "rounding"
+  std::string why;
+};
+
 struct Result {
   std::vector<Identity> identities;
   std::vector<Rounding> roundings;
   std::vector<Agreement> agreements;
   std::vector<Agreement> engines;  ///< the fast paths, each against a plain one or another author
+  std::vector<Absent> absent;
   bool ok() const;
 };
 
@@ -46,10 +54,11 @@ Result run(const std::string& only, long cases, std::uint64_t seed);
 /// What is no formula but has a row in `engines`: "engine.batch" and so on.
 std::vector<std::string> engine_ids();
 
-/// The four parts of run().
+/// The parts of run().
 std::vector<Identity> identities(const std::string& only, long cases, std::uint64_t seed);
 std::vector<Rounding> roundings(const std::string& only, long cases, std::uint64_t seed);
 std::vector<Agreement> agreements(const std::string& only, long cases, std::uint64_t seed);
 std::vector<Agreement> engines(const std::string& only, long cases, std::uint64_t seed);
+std::vector<Absent> absent(const std::string& only);
 
 }  // namespace rigor::verify

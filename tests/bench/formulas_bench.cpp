@@ -6,6 +6,10 @@
 #include <rigor/formulas/cuboid_inertia.hpp>
 #include <rigor/formulas/cuboid_inverse_inertia.hpp>
 #include <rigor/formulas/force_sum.hpp>
+#include <rigor/formulas/friction_coulomb.hpp>
+#include <rigor/formulas/friction_sheet.hpp>
+#include <rigor/formulas/friction_stronge.hpp>
+#include <rigor/formulas/friction_stronge_planar.hpp>
 #include <rigor/formulas/friction_tangent.hpp>
 #include <rigor/formulas/kinetic_energy.hpp>
 #include <rigor/formulas/linear_acceleration.hpp>
@@ -32,6 +36,10 @@ struct Fixture {
   PairVelocity<double> u{{v, w}, {V(-v), V(-w)}};
   Wrench<double> sum;
   State<double> state{p, R, v, w};
+  double mu_s = 0.5, mu_d = 0.4;
+  Mat3<double> K = effective_inverse_mass<double>(A, B);
+  V v_r = V(0.9 * V(3. / 7, -6. / 7, 2. / 7) - 2.0 * n), t = friction_tangent<double>(v_r, zero3<double>(), n);  // 0.9 m/s across, 2 m/s towards
+  PlanarImpact<double> planar{dot<double>(n, apply<double>(K, n)), dot<double>(t, apply<double>(K, t)), dot<double>(t, apply<double>(K, n)), -2, 0.9, e, mu_s, mu_d};
 };
 
 // The inputs are hidden from the optimiser, the answer is kept.
@@ -74,6 +82,12 @@ const int registered = [] {
   measure("energy.impulse", [](F f) { return impulse_energy<double>(f.n, f.v, f.w); });
   measure("momentum.linear", [](F f) { return linear_momentum<double>(f.m, f.v); });
   measure("momentum.angular", [](F f) { return angular_momentum<double>(f.m, f.I_W, f.p, f.v, f.w, f.size); });
+  measure("impulse.normal_printed", [](F f) { return normal_impulse_printed<double>(f.e, f.v[1], f.m); });
+  measure("friction.sheet", [](F f) { return sheet_friction_impulse<double>(f.m, f.mu_s, f.mu_d, f.e, f.v[0]); });
+  measure("friction.sheet_literal", [](F f) { return sheet_literal_friction_impulse<double>(f.mu_d, f.e, f.v[0]); });
+  measure("friction.coulomb", [](F f) { return coulomb_impulse<double>(f.K, f.v_r, f.n, f.t, f.e, f.mu_s, f.mu_d); });
+  measure("friction.stronge_planar", [](F f) { return planar_impulse<double>(f.planar, Restitution::stronge); });
+  measure("friction.stronge", [](F f) { return stronge_impulse(f.K, f.v_r, f.n, f.e, f.mu_s, f.mu_d); });
   measure("contact.correction", [](F f) { return positional_correction<double>(f.e, f.n); });
   return 0;
 }();

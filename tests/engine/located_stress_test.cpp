@@ -96,7 +96,7 @@ TEST(LocatedStress, ASearchWithoutEndIsHandedOver) {
   EXPECT_EQ(run.handed_over[0].why, "a search of a million advances found no end");
   EXPECT_GT(run.steps, 1000000);
 }
-// A cuboid to and fro in a gap of a nanometre at 1000 m/s: ten million impacts in ten microseconds end the run, with a reason.
+// case S-10: a cuboid to and fro in a gap of a nanometre at 1000 m/s: ten million impacts in ten microseconds end the run, with a reason.
 TEST(LocatedStress, MillionsOfImpactsInABlinkStopTheRun) {
   if (std::getenv("RIGOR_ALL") == nullptr) GTEST_SKIP() << "ten million impacts, with RIGOR_ALL=1";
   State<double> start;

@@ -160,7 +160,8 @@ TEST(AutolabTraps, OutputStaysFarBelowWhereItIsCut) {
 TEST(AutolabTraps, FailureHasTheSameProblemsAsAGrade) {
   const auto problems = [](const std::string& text) {
     std::vector<std::string> names;
-    for (const auto& [name, points] : nlohmann::ordered_json::parse(text.substr(text.find('\n') + 1))["scores"].items()) names.push_back(name);
+    const auto report = nlohmann::ordered_json::parse(text.substr(text.find('\n') + 1));
+    for (const auto& [name, points] : report.at("scores").items()) names.push_back(name);
     return names;
   };
   EXPECT_EQ(problems(report_autolab(failing_report())), problems(autolab_failure("x", Rubric{}.group_names())));

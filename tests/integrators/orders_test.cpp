@@ -81,6 +81,21 @@ TEST(EveryMethod, FliesNoStepToWhereItIs) {
   }
 }
 
+// case FB-13: without its gyroscopic term a body keeps w in space and turns about it. The energy does not see that, the angular momentum
+// does: L turns with the body.
+TEST(FreeBody, WithoutItsGyroscopicTermKeepsTheEnergyAndNotTheMomentum) {
+  const State<double> s = tumbling();
+  const auto L = [&](double t) {
+    const Mat3<double> R = exp_so3<double>(Vec3<double>(t * s.w_WB)) * s.R_WB;
+    return Vec3<double>(R * plate.inertia().cwiseProduct(Vec3<double>(R.transpose() * s.w_WB)));
+  };
+  const Vec3<double> before = L(0);
+  for (const double t : {0.5, 1.0, 2.0}) {
+    EXPECT_NEAR(L(t).dot(s.w_WB) / before.dot(s.w_WB), 1, 1e-14) << t;
+    EXPECT_GT(norm<double>(Vec3<double>(L(t) - before)), 0.1 * norm<double>(before)) << t;
+  }
+}
+
 TEST(Split2, TakesOutTheMiddleMoment) {
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {

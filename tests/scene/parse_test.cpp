@@ -87,7 +87,7 @@ TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
       {"/until", "-1", "f.json: until is -1, must be in [0, 1e30] s"},
       {"/every", "-1", "f.json: every is -1, must be 0 (each step) or at most 1e30 s"},
       {"/gravity/1", "-1e155", "f.json: gravity[1] is -1e+155, must be in [-1e30, 1e30]"},
-      {"/seed", "-1", "f.json: seed must be a whole number >= 0"},
+      {"/seed", "-1", "f.json: seed is -1, must be a whole number from 0 to 18446744073709551615"},
       {"/restituton", "1", "f.json: scene has an unknown key 'restituton' (did you mean 'restitution'?)"},
       {"/cuboids", "3", "f.json: cuboids must be a list [...]"},
   };

@@ -194,7 +194,7 @@ TEST(Simulate, SlidingStopsAfterItsDistanceInEveryDirection) {
   }
 }
 
-// case FB-13: without torque the sheet's stepper keeps neither L nor E exactly, the momentum form keeps L to the bit (D-08).
+// case D-08: without torque the sheet's stepper keeps neither L nor E exactly, the momentum form keeps L to the bit.
 TEST(Simulate, MomentumFormKeepsAngularMomentumToTheBit) {
   Scene s = builtin_scene("tumble", 1);
   s.method = "euler-momentum";

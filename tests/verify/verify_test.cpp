@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <rigor/cli/explain.hpp>
 #include <rigor/scalar/magnitude.hpp>
@@ -27,7 +28,14 @@ TEST(Verify, EverythingHoldsAndEveryFormulaHasAnOracle) {
     EXPECT_TRUE(a.ok()) << a.id << " " << a.worst << " > " << a.bound;
     EXPECT_TRUE(a.bound == 0 || a.worst > a.bound / 1000) << a.id << ": compares nothing?";
   }
-  for (const std::string& id : cli::formula_ids(cli::texts())) EXPECT_EQ(with_oracle.count(id), 1u) << id;
+  for (const std::string& id : cli::formula_ids(cli::texts())) {
+    EXPECT_EQ(with_oracle.count(id), 1u) << id;
+    // a row, or the reason why there is none
+    const auto of = [&](const auto& row) { return row.id == id; };
+    const auto absent = [&](const char* part) { return std::count_if(result.absent.begin(), result.absent.end(), [&](const Absent& a) { return a.id == id && a.part == part; }); };
+    EXPECT_EQ(std::count_if(result.identities.begin(), result.identities.end(), of) + absent("exact identity"), 1) << id;
+    EXPECT_EQ(std::count_if(result.roundings.begin(), result.roundings.end(), of) + absent("rounding"), 1) << id;
+  }
 }
 
 TEST(Verify, SameSeedSameFigures) {
