@@ -6,6 +6,7 @@
 #include <regex>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/cli/terminal_width.hpp>
 #include <rigor/grader/check.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
@@ -114,7 +115,8 @@ void append(std::vector<std::string>& to, std::vector<std::string> more) {
 
 using report::filled, report::folded;
 
-constexpr std::size_t width = 80, margin = 2;
+const std::size_t width = terminal_width();
+constexpr std::size_t margin = 2;
 
 using Layout = std::string (*)(const std::string&, std::size_t, std::size_t);
 

@@ -1,6 +1,3 @@
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +12,7 @@
 #include <rigor/base/interrupt.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/cli/commands.hpp>
+#include <rigor/cli/terminal_width.hpp>
 #include <rigor/report/wrap.hpp>
 #include <sstream>
 #include <string>
@@ -23,18 +21,9 @@
 
 namespace {
 
-// Columns of the terminal, as $COLUMNS or the terminal itself says: from 50 to 80; 80 where nobody says.
-std::size_t terminal_width() {
-  winsize size{};
-  long columns = 0;
-  if (const char* said = std::getenv("COLUMNS")) columns = std::atol(said);
-  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
-  return columns > 0 ? std::size_t(std::clamp(columns, 50L, 80L)) : 80;
-}
-
 // The help, as wide as the terminal.
 class Filled : public CLI::Formatter {
-  std::size_t width_ = terminal_width();
+  std::size_t width_ = rigor::cli::terminal_width();
   std::string beside_names(const std::string& text) const {
     std::string lines = rigor::report::filled(text, width_ - column_width_, 0);
     while (!lines.empty() && lines.back() == '\n') lines.pop_back();

@@ -10,6 +10,7 @@
 #include <rigor/cli/in_range.hpp>
 #include <rigor/cli/progress.hpp>
 #include <rigor/cli/explain.hpp>
+#include <rigor/cli/terminal_width.hpp>
 #include <rigor/cli/verify.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
@@ -68,20 +69,20 @@ const char* mark(const Row& row, const char* broken) {
 void print(const std::vector<verify::Agreement>& rows) {
   for (const auto& r : rows)
     std::printf("  %-30s %8.1e <= %-8.1e %6ld cases%s\n%s", r.id.c_str(), r.worst, r.bound, r.cases,
-                mark(r, "   ABOVE"), report::filled(r.oracle, 80, 6).c_str());
+                mark(r, "   ABOVE"), report::filled(r.oracle, terminal_width(), 6).c_str());
 }
 
 void print(const verify::Result& result) {
   if (!result.identities.empty()) std::printf("EXACT IDENTITIES over the rationals, checked with ==\n");
   for (const auto& r : result.identities)
     std::printf("  %-30s %ld of %ld%s\n%s", r.id.c_str(), r.held, r.cases, mark(r, "   DOES NOT HOLD"),
-                report::filled(r.says, 80, 6).c_str());
+                report::filled(r.says, terminal_width(), 6).c_str());
   if (!result.roundings.empty()) std::printf("\nROUNDING: double against exact, worst |error| / bound (must stay <= 1)\n");
   for (const auto& r : result.roundings)
     std::printf("  %-30s %6.3f of %-18s %9ld cases%s\n", r.id.c_str(), r.worst, r.bound.c_str(), r.cases,
                 mark(r, "   ABOVE"));
   if (!result.absent.empty()) std::printf("\nWITHOUT A ROW\n");
-  for (const auto& r : result.absent) std::printf("%s", report::filled(r.id + ", " + r.part + ": " + r.why, 80, 2).c_str());
+  for (const auto& r : result.absent) std::printf("%s", report::filled(r.id + ", " + r.part + ": " + r.why, terminal_width(), 2).c_str());
   if (!result.agreements.empty()) std::printf("\nORACLES: agreement with a method that does not share the formula\n");
   print(result.agreements);
   if (!result.engines.empty()) std::printf("%sENGINES: each fast path against a plain one or another author\n", result.agreements.empty() ? "" : "\n");

@@ -73,6 +73,25 @@ TEST_F(Program, HasHelpWithAnExampleForEveryCommand) {
   for (const char* name : {"case-A", "forced", "p-01-many", "fr-04", "maps spin, aspect, mass", "cvode-adams", "exact-kicks4"}) EXPECT_TRUE(contains(study, name)) << name;
 }
 
+// What is read on a terminal is as wide as it, but for names that do not break.
+TEST_F(Program, ExplainsInTheWidthOfTheTerminal) {
+  const auto wide = [](const std::string& text, std::size_t columns) {
+    int found = 0;
+    for (std::istringstream lines(text); !lines.eof();) {
+      std::string line;
+      std::getline(lines, line);
+      const std::size_t shown = std::size_t(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+      found += shown > columns && line.find(' ', line.find_first_not_of(" -")) != std::string::npos;
+    }
+    return found;
+  };
+  for (const char* id : {"motion.euler", "inertia.world", "impulse.normal"}) {
+    const std::string narrow = rigor_says(std::string("explain ") + id, "COLUMNS=60 ").text;
+    EXPECT_LE(wide(narrow, 60), 3) << narrow;
+    EXPECT_GT(wide(rigor_says(std::string("explain ") + id).text, 60), 10) << id;
+  }
+}
+
 TEST_F(Program, TakesHelpForTheHelpItIs) {
   EXPECT_EQ(rigor_says("help").text, rigor_says("--help").text);
   EXPECT_EQ(rigor_says("help run").text, rigor_says("run --help").text);
