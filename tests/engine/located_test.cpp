@@ -289,6 +289,31 @@ TEST(Located, AnInclineIsHeldUpToTheFrictionAngleExactly) {
     }
 }
 
+// A second on a slope, downhill: the static friction holds what it can, the dynamic one slows what moves, and where there is none it glides.
+TEST(Located, EachFrictionHasItsPart) {
+  const struct {
+    double mu_s, mu_d, tangent, v, g;
+    bool rests;
+  } cases[] = {{0.3, 0, 0.2, 0, 9.8, true},    {0.5, 0.3, 0.4, 0, 9.8, true}, {0, 0.3, 0.2, 0, 9.8, true},  {0.5, 0.3, 0.6, 0, 9.8, false}, {0.5, 0.3, 0.4, 1, 9.8, false},
+               {0, 0, 0.2, 0, 9.8, false},     {0, 0, 0, 2, 9.8, false},      {0.3, 0, 0, 2, 9.8, false},   {0.3, 0.3, 0, 3, 0.5, false},   {0, 0.3, 0, 3, 0.5, false}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(testing::Message() << "mu " << c.mu_s << ", " << c.mu_d << ", slope " << c.tangent << ", from " << c.v << " m/s");
+    const double cosine = 1 / std::hypot(1, c.tangent), sine = c.tangent * cosine;
+    const V downhill(0.6, 0, 0.8);
+    State<double> start = above(0.125);
+    start.v_WB = c.v * downhill;
+    Scene s = one({0.5, 0.25, 1}, start, 0.5, 0, 1);
+    s.surface = *Surface<double>::make(0.5, c.mu_s, c.mu_d);
+    s.gravity = c.g * (sine * downhill - cosine * V(0, 1, 0));
+    const Ended end = run(s);
+    EXPECT_TRUE(end.summary.handed_over.empty()) << end.summary.handed_over[0].why;
+    const double a = c.rests ? 0 : c.g * (sine - c.mu_d * cosine);
+    EXPECT_LT(norm<double>(V(end.states.back().p_WB - start.p_WB - (c.v + a / 2) * downhill)), 1e-14);
+    EXPECT_LT(norm<double>(V(end.states.back().v_WB - (c.v + a) * downhill)), 1e-14);
+    EXPECT_NEAR(end.summary.ledger.energy.friction_loss, 2 * c.mu_d * c.g * cosine * (c.v + a / 2), 1e-13);
+  }
+}
+
 // case P-08: a corner that passes the plane at a small distance, or as far behind it, on a parabola with spin: touched in
 // the second case and not in the first; in between lies less than a billionth of the size.
 TEST(Located, AGrazeIsAnImpactOnlyWhenItGoesDeeperThanRounding) {
