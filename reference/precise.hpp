@@ -10,6 +10,11 @@ namespace rigor::reference {
 using Precise = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>,
                                               boost::multiprecision::et_off>;
 
+/// At its end gives back what MPFR keeps for the thread it stands in. For a thread that is started for one computation.
+struct FreesPreciseCaches {
+  ~FreesPreciseCaches() { mpfr_free_cache(); }
+};
+
 }  // namespace rigor::reference
 
 namespace rigor {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <reference/precise.hpp>
 #include <rigor/base/suggest.hpp>
 #include <rigor/engine/flow_methods.hpp>
 #include <rigor/scene/method_names.hpp>
@@ -279,6 +280,7 @@ std::vector<std::string> flying_methods() {
 }
 
 Outcome<std::vector<Cell>> plan(const StudyRequest& r) {
+  const reference::FreesPreciseCaches at_the_end;
   if (const auto fault = unknown({r.kind}, study_kinds(), "", "study")) return *fault;
   if (const auto fault = without_effect(r)) return *fault;
   Names tolerances;

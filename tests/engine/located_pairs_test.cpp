@@ -39,6 +39,20 @@ TEST(PairSearch, FindsEveryFirstContactOfAThousandCourses) {
   EXPECT_LT(advances, 200 * 1000);
 }
 
+// Corner against corner the spheres around the two meet at the same moment as they do.
+TEST(PairSearch, FindsCornersThatMeetHeadOn) {
+  const auto cube = *Cuboid<double>::make(1, {1, 1, 1});
+  for (const double speed : {1.0, 0.7, 1e-3}) {
+    State<double> a, b;
+    a.p_WB = V(0.3, -0.2, 0.1), b.p_WB = a.p_WB + V(2, 2, 2), b.v_WB = V(-speed, -speed, -speed);
+    const Flight fa(cube, a, zero3<double>()), fb(cube, b, zero3<double>());
+    const PairContact found = next_pair_contact(cube, fa, 0, cube, fb, 0, 0, 2 / speed);
+    EXPECT_EQ(found.kind, PairContact::Kind::touch) << speed;
+    EXPECT_NEAR(found.time * speed, 1, 1e-14) << speed;
+    EXPECT_LT(found.advances, 100) << speed;
+  }
+}
+
 // The time does not depend on when the flights began.
 TEST(PairSearch, GivesTheSameMeetingHoweverTheFlightsAreDated) {
   Draw draw;
