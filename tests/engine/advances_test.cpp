@@ -237,7 +237,8 @@ TEST(PairAdvance, TouchingIsSixteenUnitsOfTheTermsOfAGap) {
 TEST(SweptBox, HoldsThreeParabolasAndWhatIsToSpare) {
   State<double> start;
   start.p_WB = V(3, -5, 7), start.v_WB = V(2, 1, -4);
-  const Flight flight(*Cuboid<double>::make(2, {2, 3, 6}), start, V(-4, 2, 0));
+  const auto shape = *Cuboid<double>::make(2, {2, 3, 6});
+  const Flight flight(shape, start, V(-4, 2, 0));
   const double from = 0.25, to = 1.5;
   const V low(3 + 2 * to - 2 * to * to, -5 + from + from * from, 7 - 4 * to), high(3 + 2 * 0.5 - 2 * 0.25, -5 + to + to * to, 7 - 4 * from);
   for (const double radius : {0.0, 0.5})
