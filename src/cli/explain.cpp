@@ -115,7 +115,6 @@ void append(std::vector<std::string>& to, std::vector<std::string> more) {
 
 using report::filled, report::folded;
 
-const std::size_t width = terminal_width();
 constexpr std::size_t margin = 2;
 
 using Layout = std::string (*)(const std::string&, std::size_t, std::size_t);
@@ -124,7 +123,7 @@ void print_block(const char* title, const std::string& body, Layout layout) {
   const std::size_t first = body.find_first_not_of(" \n"), last = body.find_last_not_of(" \n");
   if (first == std::string::npos) return;
   const std::size_t line = body.rfind('\n', first) + 1;  // npos + 1 is 0
-  std::printf("\n%s\n%s", title, layout(body.substr(line, last + 1 - line), width, margin).c_str());
+  std::printf("\n%s\n%s", title, layout(body.substr(line, last + 1 - line), terminal_width(), margin).c_str());
 }
 
 // Measured now, on inputs of a fixed seed: what `rigor verify --id ID` prints.
@@ -151,7 +150,7 @@ void print_figures(const std::string& id) {
 }
 
 void print(const Explanation& e) {
-  std::printf("%s   (%s)\n\n%s", e.id.c_str(), e.header.c_str(), filled(e.docstring, width, margin).c_str());
+  std::printf("%s   (%s)\n\n%s", e.id.c_str(), e.header.c_str(), filled(e.docstring, terminal_width(), margin).c_str());
   print_block("DERIVATION", e.derivation, filled);
   for (const std::string& erratum : e.errata) print_block("ERRATUM", erratum, filled);
   for (const std::string& theorem : e.theorems) print_block("THEOREM (Coq, proofs/coq)", theorem, folded);
@@ -181,7 +180,7 @@ void print_list(const std::vector<std::string>& ids, bool json) {
     if (json) {
       list.push_back({{"id", id}, {"says", says}});
     } else {
-      const std::string column = filled(says, width, 31);
+      const std::string column = filled(says, terminal_width(), 31);
       std::printf("%s%s", id.c_str(), column.substr(std::min(id.size(), std::size_t(30))).c_str());
     }
   }

@@ -157,6 +157,7 @@ class LocatedWorld {
   void watch_pair(std::size_t i, std::size_t j);
   /// A body in the stepper has moved: where it has left its box it gets a new one, and true is returned.
   bool settle(std::size_t i);
+  /// Whether the spheres around two cuboids do not touch.
   bool spheres_apart(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const;
   /// Not inside another cuboid: only then can it fly itself.
   bool clear(std::size_t i);

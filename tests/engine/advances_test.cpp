@@ -95,7 +95,7 @@ TEST(PlaneAdvance, CountsFromWhereTheSearchBegins) {
   const State<double> later = Flight(m.shape, m.s, m.pull).at(0.125);
   Approach on_the_way = m;
   on_the_way.s = later;
-  EXPECT_NEAR(m.advance(5, 0.125) / on_the_way.advance(5), 1, 1e-12) << "but for the bound on the spin, which is the same";
+  EXPECT_NEAR(m.advance(5, 0.125) / on_the_way.advance(5), 1, 1e-12);  // the two bounds on the spin, each with 1e-12 to spare
 }
 // Far away it is the sphere's, on its parabola.
 TEST(PlaneAdvance, IsTheSpheresFromFarAway) {

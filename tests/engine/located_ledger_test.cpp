@@ -10,6 +10,16 @@ namespace {
 
 using V = Vec3<double>;
 
+// A floor, y = 0, with Coulomb's friction.
+Scene floor_of(double e, double mu) {
+  Scene s;
+  s.method = "located";
+  s.surface = *Surface<double>::make(e, mu, mu);
+  s.friction_law = FrictionLaw::coulomb;
+  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  return s;
+}
+
 const Observer nothing = [](double, const std::vector<State<double>>&) {};
 
 // A cuboid that begins inside a ceiling falls in the stepper for a while, on its parabola: no step gains or loses anything.
@@ -32,6 +42,9 @@ TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   EXPECT_LT(run->ledger.energy.worst_drift, 1e-13);
 }
 
+// Tolerances of these scenes: a few roundings of places of 10 m (1e-15 each), of their squares in energies and of moments about the
+// origin (1e-14 each).
+//
 // Thrown free of everything, gravity off at 1/2 s and on again at 5/4 s: three parabolas, of which the middle one is a line; and the
 // energy that goes with the switch and comes back with it.
 TEST(LocatedLedger, TheSwitchActsAtItsTime) {
@@ -66,12 +79,8 @@ TEST(LocatedLedger, TheSwitchActsAtItsTime) {
 
 // One cuboid bounces without a loss, the other slides: without gravity the one comes down in a straight line and the other glides.
 TEST(LocatedLedger, TheSwitchActsOnWhatBouncesAndOnWhatSlides) {
-  Scene s;
-  s.method = "located";
+  Scene s = floor_of(1, 0.3);
   s.gravity = V(0, -10, 0);
-  s.surface = *Surface<double>::make(1, 0.3, 0.3);
-  s.friction_law = FrictionLaw::coulomb;
-  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
   State<double> bouncing, sliding;
   bouncing.p_WB = V(1, 0.25 + 0.05, -2);
   sliding.p_WB = V(10, 0.125, 3), sliding.v_WB = V(3, 0, 0);
@@ -98,12 +107,8 @@ TEST(LocatedLedger, TheSwitchActsOnWhatBouncesAndOnWhatSlides) {
 
 // On a slope the work of gravity during a slide is not the friction's, whatever gravity is when it is booked.
 TEST(LocatedLedger, TheSwitchBooksASlideWithTheGravityItHad) {
-  Scene s;
-  s.method = "located";
+  Scene s = floor_of(0.5, 0.3);
   s.gravity = V(0.5, -10, 0);
-  s.surface = *Surface<double>::make(0.5, 0.3, 0.3);
-  s.friction_law = FrictionLaw::coulomb;
-  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
   State<double> sliding;
   sliding.p_WB = V(10, 0.125, 3), sliding.v_WB = V(3, 0, 0);
   s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.25, 1}), sliding}};
@@ -156,11 +161,7 @@ TEST(LocatedLedger, OfAnInterruptedRunEndsWhereItStopped) {
 // Dropped flat onto a rough floor with a spin about the normal, which no exact phase knows, at 2 m/s to the side: the stepper goes on
 // from the moment it lands.
 TEST(LocatedLedger, TheStepperGoesOnFromTheMomentOfTheHandOver) {
-  Scene s;
-  s.method = "located";
-  s.surface = *Surface<double>::make(0, 0.3, 0.3);
-  s.friction_law = FrictionLaw::coulomb;
-  s.planes.push_back(*Plane<double>::make(V(0, 0, 0), V(0, 1, 0)));
+  Scene s = floor_of(0, 0.3);
   State<double> start;
   start.p_WB = V(0, 1.125, 0), start.v_WB = V(2, 0, 0), start.w_WB = V(0, 3, 0);
   s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.25, 1}), start}};

@@ -81,7 +81,7 @@ Scene world_of(Draw& draw, int w) {
 // Pairs whose boxes do not overlap, and planes a flight's sphere stays clear of, against the search of all: same bits.
 TEST(LocatedSkip, ChangesNoBit) {
   Draw draw;
-  const int worlds = std::getenv("RIGOR_ALL") != nullptr ? 3000 : 12;
+  const int worlds = std::getenv("RIGOR_ALL") != nullptr ? 3000 : 80;
   long left_out = 0, pairs = 0, planes = 0, impacts = 0, meetings = 0, advances = 0;
   for (int w = 0; w < worlds; ++w) {
     const Scene s = world_of(draw, w);
