@@ -58,7 +58,7 @@ std::string first_link_error(const std::string& output) {
 std::string clipped(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 32) c = ' ';
-  if (text.size() > longest_error) text = text.substr(0, longest_error) + " ...";
+  if (text.size() > longest_error) text.resize(longest_error), text += " ...";
   return text;
 }
 

@@ -254,5 +254,20 @@ TEST(SweptBox, HoldsThreeParabolasAndWhatIsToSpare) {
     }
 }
 
+// Pulled back along one edge alone, the way out and home: the box reaches to where it turns, a quarter metre on.
+TEST(SweptBox, HoldsTheTurnAlongEachEdge) {
+  const auto shape = *Cuboid<double>::make(2, {2, 3, 6});
+  for (int k = 0; k < 3; ++k)
+    for (const double way : {1.0, -1.0}) {
+      State<double> start;
+      start.v_WB[k] = way;
+      V pull = zero3<double>();
+      pull[k] = -2 * way;
+      const AxisBox box = swept_box(Flight(shape, start, pull), 0, 0, 1, 0);
+      EXPECT_NEAR(way > 0 ? box.high[k] : -box.low[k], 0.25, 1e-11) << k;
+      EXPECT_NEAR(way > 0 ? box.low[k] : box.high[k], 0, 1e-11) << k;
+    }
+}
+
 }  // namespace
 }  // namespace rigor

@@ -39,17 +39,53 @@ TEST(PairSearch, FindsEveryFirstContactOfAThousandCourses) {
   EXPECT_LT(advances, 200 * 1000);
 }
 
-// Corner against corner the spheres around the two meet at the same moment as they do.
+// Corner against corner the spheres around the two meet at the same moment as they do: when the gap of 0.6 or 1 edge is run through.
 TEST(PairSearch, FindsCornersThatMeetHeadOn) {
   const auto cube = *Cuboid<double>::make(1, {1, 1, 1});
-  for (const double speed : {1.0, 0.7, 1e-3}) {
-    State<double> a, b;
-    a.p_WB = V(0.3, -0.2, 0.1), b.p_WB = a.p_WB + V(2, 2, 2), b.v_WB = V(-speed, -speed, -speed);
-    const Flight fa(cube, a, zero3<double>()), fb(cube, b, zero3<double>());
-    const PairContact found = next_pair_contact(cube, fa, 0, cube, fb, 0, 0, 2 / speed);
-    EXPECT_EQ(found.kind, PairContact::Kind::touch) << speed;
-    EXPECT_NEAR(found.time * speed, 1, 1e-14) << speed;
-    EXPECT_LT(found.advances, 100) << speed;
+  for (const double gap : {0.6, 1.0})
+    for (const double speed : {1.0, 0.7, 1e-3}) {
+      State<double> a, b;
+      const double away = 1 + gap;
+      a.p_WB = V(0.3, -0.2, 0.1), b.p_WB = a.p_WB + V(away, away, away), b.v_WB = V(-speed, -speed, -speed);
+      const Flight fa(cube, a, zero3<double>()), fb(cube, b, zero3<double>());
+      const PairContact found = next_pair_contact(cube, fa, 0, cube, fb, 0, 0, 2 / speed);
+      EXPECT_EQ(found.kind, PairContact::Kind::touch) << speed;
+      EXPECT_NEAR(found.time * speed, gap, 1e-14) << speed;
+      EXPECT_LT(found.advances, 100) << speed;
+    }
+}
+
+// Faces level with each other and closing in, and the two past each other along another edge: nothing touches.
+TEST(PairSearch, LetsPassWhatOneAxisKeepsApart) {
+  const V size(1, 1.5, 0.5);
+  const auto box = *Cuboid<double>::make(1, size);
+  for (int level = 0; level < 3; ++level)
+    for (const int apart : {(level + 1) % 3, (level + 2) % 3}) {
+      State<double> a, b;
+      b.p_WB[level] = size[level], b.p_WB[apart] = size[apart] + 0.0625;
+      b.v_WB[level] = -1;
+      const Flight fa(box, a, zero3<double>()), fb(box, b, zero3<double>());
+      const PairContact found = next_pair_contact(box, fa, 0, box, fb, 0, 0, 3);
+      EXPECT_EQ(found.kind, PairContact::Kind::none) << level << ' ' << apart << ", " << found.time << " s";
+    }
+}
+
+// Places known to half the thinnest edge, 1/2 m, are enough to say what touches what: it is told when the gap is no more than what is
+// not known. Known to less, that is said when the spheres around the two are as near.
+TEST(PairSearch, SaysFromWhereItCannotTell) {
+  const auto A = *Cuboid<double>::make(1, {2, 1, 4}), B = *Cuboid<double>::make(1, {1, 2, 2});
+  const double spheres = std::sqrt(4.0 + 1 + 16) / 2 + 1.5, gap = 3.5;
+  State<double> a, b;
+  b.p_WB[0] = 1.5 + gap, b.v_WB[0] = -4;
+  const Flight fa(A, a, zero3<double>()), fb(B, b, zero3<double>());
+  for (const double slack : {0.4, 0.499, 0.501, 0.7}) {
+    const PairContact found = next_pair_contact(A, fa, 0, B, fb, 0, 0, 2, slack);
+    EXPECT_EQ(found.kind, slack < 0.5 ? PairContact::Kind::touch : PairContact::Kind::blurred) << slack;
+    if (slack > 0.5) {
+      EXPECT_NEAR(found.time, (1.5 + gap - spheres - slack) / 4, 1e-13) << slack;
+    } else {
+      EXPECT_TRUE(found.time >= (gap - slack) / 4 && found.time <= gap / 4 * (1 + 1e-15)) << slack << ", " << found.time;
+    }
   }
 }
 

@@ -258,6 +258,34 @@ TEST(Located, AFlatLandingTipsWhereThePressureLeavesTheFace) {
     }
 }
 
+// Without spin means: corners no faster by it than 1e-12 of the speed it lands with. A face that lands so is hit as a mass point
+// is and does not turn; ten times as much, and the mean corner is hit, which turns it. Sizes and speeds far from 1.
+TEST(Located, ALandingIsWithoutSpinUpToAMillionthOfAMillionth) {
+  const V size(60, 50, 62);  // a diagonal of 100 m
+  const double L = norm<double>(size), v = 100;
+  for (const double part : {1e-13, 1e-11}) {
+    State<double> start;
+    start.p_WB = V(0, 25, 0), start.v_WB = V(60, -80, 0), start.w_WB = V(0, part * v / L, 0);
+    const Ended end = run(one(size, start, 0.5, 0.3, 1e-9));
+    EXPECT_EQ(norm<double>(end.states.back().w_WB) > 1e-3, part > 1e-12) << norm<double>(end.states.back().w_WB);
+    EXPECT_EQ(norm<double>(end.states.back().w_WB) == 0, part < 1e-12);
+  }
+}
+
+// The same for what lies on a rough floor, beside the speed of a fall through its size, 31 m/s: it rests, and no exact phase knows
+// friction under a spin.
+TEST(Located, ARestIsWithoutSpinUpToAMillionthOfAMillionth) {
+  const V size(60, 50, 62);
+  const double L = norm<double>(size), fall = std::sqrt(9.81 * L);
+  for (const double part : {1e-13, 1e-11}) {
+    State<double> start;
+    start.p_WB = V(0, 25, 0), start.w_WB = V(0, part * fall / L, 0);
+    const Ended end = run(one(size, start, 0.5, 0.3, 1e-3));
+    EXPECT_EQ(end.summary.handed_over.size(), part < 1e-12 ? 0u : 1u);
+    EXPECT_EQ(norm<double>(end.states.back().w_WB) == 0, part < 1e-12);
+  }
+}
+
 // Pressed into the edge between a floor and a wall: no exact phase.
 TEST(Located, WhatRestsOnTwoPlanesIsHandedOver) {
   State<double> start;
