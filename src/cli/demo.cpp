@@ -140,6 +140,9 @@ Outcome<std::string> study(const fs::path& out) {
 }
 
 int demo_command(const fs::path& out) {
+  std::error_code ec;
+  fs::create_directories(out, ec);
+  if (ec) return failed({Fault::Kind::unwritable, "--out", "is " + out.string() + ", which cannot be made: " + ec.message()});
   std::string body;
   for (auto part : {grade_class, run_scene, study}) {
     const auto html = part(out);

@@ -84,7 +84,9 @@ void collect(const fs::path& root, const fs::path& dir, int depth, std::vector<F
       notes.push_back(printable(relative) + ": a symbolic link, not followed");
     } else if (entry.is_directory(ec)) {
       if (!passed_by(name) && depth < deepest) collect(root, entry.path(), depth + 1, files, notes, entries);
-    } else if (entry.is_regular_file(ec) && !name.starts_with('.')) {
+    } else if (!entry.is_regular_file(ec)) {
+      notes.push_back(printable(relative) + ": no file that can be read");
+    } else if (!name.starts_with('.')) {
       files.push_back({entry.path(), relative, depth, false, {}});
     }
   }
@@ -130,7 +132,8 @@ Outcome<std::vector<Found>> files_of_archive(const fs::path& path, std::vector<s
 /// The submission in these files: expected ones by name, the rest beside them.
 Outcome<Submission> pick_files(std::vector<Found> found, Submission s, const std::string& where) {
   using Kind = Fault::Kind;
-  if (found.empty()) return Fault{Kind::missing, where, "is empty, must hold a submission's files"};
+  const auto first_note = [&s] { return s.notes.empty() ? std::string() : " (" + s.notes.front() + (s.notes.size() > 1 ? "; and " + std::to_string(s.notes.size() - 1) + " more" : "") + ")"; };
+  if (found.empty()) return Fault{Kind::missing, where, s.notes.empty() ? "is empty, must hold a submission's files" : "holds no file to grade" + first_note()};
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.depth < b.depth; });
 
   std::uintmax_t total = 0;
@@ -172,7 +175,7 @@ Outcome<Submission> pick_files(std::vector<Found> found, Submission s, const std
   const bool any = std::any_of(s.files.begin(), s.files.end(), [](const auto& f) { return f.name != "Constants.h"; });
   if (!any)
     return Fault{Kind::missing, where,
-                 "holds none of Cuboid, CollisionPlane, ParticleSystem, MatrixUtils (.h or .cpp)"};
+                 "holds none of Cuboid, CollisionPlane, ParticleSystem, MatrixUtils (.h or .cpp)" + first_note()};
 
   std::string all;
   for (const auto* list : {&s.files, &s.others})

@@ -69,7 +69,7 @@ std::string word(const Json& value, const std::string& where, const std::vector<
   if (std::find(words.begin(), words.end(), text) != words.end()) return text;
   std::string all;
   for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
-  refuse(Kind::out_of_range, where, "must be one of " + all + did_you_mean(text, words));
+  refuse(Kind::out_of_range, where, "is " + value.dump().substr(0, 40) + ", must be one of " + all + did_you_mean(text, words));
 }
 bool has(const Json& object, const char* key) { return object.contains(key); }
 const Json& required(const Json& object, const char* key, const std::string& where) {
@@ -125,6 +125,7 @@ SceneForce force(const Json& json, const std::string& where, std::size_t bodies)
   known_keys(json, where, {"body", "force", "at", "at_axes", "from", "to"});
   SceneForce f{};
   const Json& index = required(json, "body", where);
+  if (bodies == 0) refuse(Kind::out_of_range, where + ".body", "is " + index.dump().substr(0, 40) + ", but the scene has no cuboid");
   if (!index.is_number_integer() || index.get<long>() < 0 || index.get<long>() >= long(bodies))
     refuse(Kind::out_of_range, where + ".body", "is " + index.dump().substr(0, 40) + ", must be an index in [0, " + std::to_string(bodies) + ")");
   f.body = index.get<int>();
@@ -142,12 +143,13 @@ SceneAction action(const Json& json, const std::string& where) {
   return {number(required(json, "at", where), where + ".at", 0, most, "in [0, 1e30] s"), SceneAction::Do(std::find(words.begin(), words.end(), what) - words.begin())};
 }
 
-const std::vector<std::string> scene_keys{"name", "cuboids", "planes", "gravity", "restitution", "static_friction", "dynamic_friction", "friction_law",
+const std::vector<std::string> scene_keys{"$schema", "name", "cuboids", "planes", "gravity", "restitution", "static_friction", "dynamic_friction", "friction_law",
                                           "pair_detection", "forces", "actions", "method", "dt", "until", "every", "seed"};
 
 Scene from_json(const Json& json) {
   known_keys(json, "", scene_keys);
   Scene s;
+  if (has(json, "$schema") && !json["$schema"].is_string()) refuse(Kind::wrong_type, "$schema", "must be a text in quotes");  // an editor's; not read here
   if (has(json, "name")) {
     if (!json["name"].is_string()) refuse(Kind::wrong_type, "name", "must be a text in quotes");
     s.name = json["name"];
@@ -208,9 +210,9 @@ Json parsed(const std::string& text) {
   };
   std::vector<Level> levels;
   long line = 1;
-  const auto place = [&] {  // of the innermost object
+  const auto place = [&](std::size_t depth) {  // of what lies so deep
     std::string where;
-    for (std::size_t i = 0; i + 1 < levels.size(); ++i) where = levels[i].list ? element(where, levels[i].index) : where.empty() ? levels[i].key : where + "." + levels[i].key;
+    for (std::size_t i = 0; i < depth; ++i) where = levels[i].list ? element(where, levels[i].index) : where.empty() ? levels[i].key : where + "." + levels[i].key;
     return where.empty() ? "scene" : where;
   };
   const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
@@ -221,13 +223,19 @@ Json parsed(const std::string& text) {
     if (event == Event::key) {
       levels.back().key = value.get<std::string>();
       if (!levels.back().keys.insert(levels.back().key).second)
-        refuse(Kind::malformed, place(), "has the key '" + levels.back().key + "' twice, the second time in line " + std::to_string(line));
+        refuse(Kind::malformed, place(levels.size() - 1), "has the key '" + levels.back().key + "' twice, the second time in line " + std::to_string(line));
     }
     const bool whole = event == Event::value || event == Event::object_end || event == Event::array_end;
     if (whole && !levels.empty() && levels.back().list) ++levels.back().index;
     return true;
   };
-  return Json::parse(Counted{text.data(), &line}, Counted{text.data() + text.size(), &line}, watch);
+  try {
+    return Json::parse(Counted{text.data(), &line}, Counted{text.data() + text.size(), &line}, watch);
+  } catch (const Json::out_of_range& error) {  // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
+    const std::string what = error.what();
+    const std::size_t from = what.find('\'') + 1;
+    refuse(Kind::out_of_range, place(levels.size()), "is " + what.substr(from, std::min<std::size_t>(what.rfind('\'') - from, 40)) + ", must be " + any_number);
+  }
 }
 
 }  // namespace
@@ -283,8 +291,6 @@ Outcome<Scene> parse_scene(const std::string& text, const std::string& name) {
     Fault fault = refused.fault;
     fault.where = name + ": " + fault.where;
     return fault;
-  } catch (const Json::out_of_range&) {
-    return Fault{Kind::out_of_range, name + ":", "has a number that no double holds; numbers are in [-1e30, 1e30]"};
   } catch (const Json::exception& error) {
     const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
     return Fault{Kind::malformed, name + ":", "is no JSON" + (what.find("at line") == std::string::npos ? std::string() : ": " + what.substr(what.find("] ") + 2, 160))};

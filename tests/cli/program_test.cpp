@@ -123,6 +123,12 @@ TEST_F(Program, SaysWhenMarksComeOfThePublicSeed) {
   for (const std::string& other : {std::string(), own, points + " --practice", points + " --seed 20260414"}) EXPECT_FALSE(contains(rigor_says(grade + other).text, hears)) << other;
 }
 
+TEST_F(Program, DemoSaysBeforeItWorksThatItCannotWrite) {
+  const Ran ran = rigor_says("demo --out /proc/demo");
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.text, "rigor demo: --out is /proc/demo, which cannot be made: No such file or directory\n");
+}
+
 // The bundled class has its page, and what is printed fits a screen.
 TEST_F(Program, DemoFitsAScreenAndLinksTheClassPage) {
   const Ran ran = rigor_says("demo --out " + (dir / "demo").string());

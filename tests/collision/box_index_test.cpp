@@ -49,26 +49,28 @@ TEST(BoxIndex, FindsALongBoxFromItsFarEnd) {
   const double length = 1.49, third = length / 3;  // just below half a metre: a cell for it holds no more
   const Vec3<double> places[] = {Vec3<double>(3, -5, 7), Vec3<double>(-3, -5, -7), Vec3<double>(1, 1 + third, 1 + 2 * third), Vec3<double>(1 + 2 * third, 1 + third, 1),
                                  Vec3<double>(1 + third, 1 + 2 * third, 1), Vec3<double>(1 + 2 * third, 1, 1 + third), Vec3<double>(1, 1 + 2 * third, 1 + third), Vec3<double>(1 + third, 1, 1 + 2 * third)};
-  for (int k = 0; k < 3; ++k)
-    for (const Vec3<double>& place : places) {
-      BoxIndex index(101);
-      index.put(100, AxisBox{Vec3<double>(-90, 80, 70), Vec3<double>(-89.999, 80.001, 70.001)});
-      for (std::uint32_t i = 0; i < 100; ++i) {
-        const Vec3<double> low = place + Vec3<double>::Constant(0.01 * (double(i) - 42));
-        AxisBox needle{low, Vec3<double>(low + Vec3<double>::Constant(0.001))};
-        needle.high[k] = needle.low[k] + length;
-        index.put(i, needle);
-      }
-      for (const double part : {0.0, 0.3, 0.6, 0.99})
-        for (const double size : {0.0, 0.0005}) {
-          AxisBox asked{index.box(42).low, index.box(42).low};
-          asked.low[k] += part * length;
-          asked.high = asked.low + Vec3<double>::Constant(size);
-          std::vector<std::uint32_t> found;
-          index.overlapping(asked, found);
-          EXPECT_EQ(found, std::vector<std::uint32_t>{42}) << k << ", " << place.transpose() << ", " << part << ", " << size;
+  for (const double unit : {1.0, 0.25})
+    for (int k = 0; k < 3; ++k)
+      for (const Vec3<double>& place : places) {
+        BoxIndex index(101);
+        const auto put = [&](std::uint32_t i, const Vec3<double>& low, const Vec3<double>& high) { index.put(i, AxisBox{unit * low, unit * high}); };
+        put(100, Vec3<double>(-90, 80, 70), Vec3<double>(-89.999, 80.001, 70.001));
+        for (std::uint32_t i = 0; i < 100; ++i) {
+          const Vec3<double> low = place + Vec3<double>::Constant(0.01 * (double(i) - 42));
+          Vec3<double> high = low + Vec3<double>::Constant(0.001);
+          high[k] = low[k] + length;
+          put(i, low, high);
         }
-    }
+        for (const double part : {0.0, 0.3, 0.6, 0.99})
+          for (const double size : {0.0, 0.0005}) {
+            AxisBox asked{index.box(42).low, index.box(42).low};
+            asked.low[k] += unit * part * length;
+            asked.high = asked.low + Vec3<double>::Constant(unit * size);
+            std::vector<std::uint32_t> found;
+            index.overlapping(asked, found);
+            EXPECT_EQ(found, std::vector<std::uint32_t>{42}) << unit << ", " << k << ", " << place.transpose() << ", " << part << ", " << size;
+          }
+      }
 }
 
 // Against everybody with everybody, while boxes come, move and go: grains and giants, needles, points, far away.

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <rigor/grader/build_compile.hpp>
 #include <rigor/grader/build_hash.hpp>
@@ -50,7 +51,7 @@ TEST(Submission, LeavesLinksAndStrangeFilesAside) {
   ASSERT_TRUE(s);
   EXPECT_EQ(s->files.size(), 1u);
   EXPECT_TRUE(s->others.empty());
-  EXPECT_EQ(s->notes.size(), 5u) << "two links, a name, no text, too big; a pipe is no file";
+  EXPECT_EQ(s->notes.size(), 6u) << "two links, a name, no text, too big, a pipe";
   for (const std::string& note : s->notes) EXPECT_EQ(note.find_first_of("\n\x1b"), note.npos) << note;
 }
 
@@ -58,8 +59,14 @@ TEST(Submission, ThatIsNoneIsOneFault) {
   EXPECT_EQ(open_submission("/no/such/place").fault().text(), "/no/such/place does not exist");
   const Directory dir;
   EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("is empty"));
+  fs::create_symlink("/etc/passwd", dir.path / "Cuboid.h");
+  ASSERT_EQ(::mkfifo((dir.path / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("holds no file to grade (Cuboid.h: a symbolic link, not followed; and 1 more)"));
   dir.write("notes.txt", "x");
   EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("holds none of Cuboid, CollisionPlane"));
+  dir.write("Cuboid.cpp", std::string("\xff\xfe\0", 3));
+  fs::remove(dir.path / "Cuboid.h"), fs::remove(dir.path / "pipe");
+  EXPECT_THAT(open_submission(dir.path).fault().text(), HasSubstr("(.h or .cpp) (Cuboid.cpp: not used, it is no text"));
   EXPECT_THAT(open_submission(dir.path / "notes.txt").fault().text(), HasSubstr("is neither a directory nor a .zip"));
 }
 

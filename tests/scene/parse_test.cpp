@@ -73,12 +73,12 @@ TEST(ParseScene, NamesFileFieldValueAndRangeOfEverythingWrong) {
       {"/restitution", "-1e-9", "f.json: restitution is -1e-09, must be in [0, 1]"},
       {"/static_friction", "-0.1", "f.json: static_friction is -0.1, must be in [0, 1e30]"},
       {"/dynamic_friction", "-0.1", "f.json: dynamic_friction is -0.1, must be in [0, 1e30]"},
-      {"/friction_law", "\"coulom\"", "f.json: friction_law must be one of sheet, sheet_literal, coulomb, stronge (did you mean 'coulomb'?)"},
-      {"/pair_detection", "3", "f.json: pair_detection must be one of 15-axes, handed-out"},
+      {"/friction_law", "\"coulom\"", "f.json: friction_law is \"coulom\", must be one of sheet, sheet_literal, coulomb, stronge (did you mean 'coulomb'?)"},
+      {"/pair_detection", "3", "f.json: pair_detection is 3, must be one of 15-axes, handed-out"},
       {"/forces/0/body", "1", "f.json: forces[0].body is 1, must be an index in [0, 1)"},
       {"/forces/0/body", "0.5", "f.json: forces[0].body is 0.5, must be an index in [0, 1)"},
       {"/forces/0/to", "0.5", "f.json: forces[0].to is 0.5, must be from `from` to 1e30 s"},
-      {"/actions/0/do", "\"vacuum\"", "f.json: actions[0].do must be one of vacuum-on, vacuum-off, gravity-on, gravity-off"},
+      {"/actions/0/do", "\"vacuum\"", "f.json: actions[0].do is \"vacuum\", must be one of vacuum-on, vacuum-off, gravity-on, gravity-off"},
       {"/actions/1/at", "1", "f.json: actions[1].at is 1, must not be before the action above it"},
       {"/method", "\"shet\"", "f.json: method is 'shet', which is none of the methods (did you mean 'sheet'?)"},
       {"/dt", "0", "f.json: dt is 0, must be in [1e-30, 1e30] s"},
@@ -105,7 +105,9 @@ TEST(ParseScene, RefusesWhatIsNoScene) {
     EXPECT_FALSE(parse_scene(text, "f.json")) << text;
   EXPECT_EQ(parse_scene("", "f.json").fault().text(), "f.json: is empty, must be a scene in JSON");
   EXPECT_EQ(parse_scene("null", "f.json").fault().text(), "f.json: scene must be an object {...}");
-  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1e999}", "f.json").fault().text(), "f.json: has a number that no double holds; numbers are in [-1e30, 1e30]");
+  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1e999}", "f.json").fault().text(), "f.json: dt is 1e999, must be in [-1e30, 1e30]");
+  EXPECT_EQ(parse_scene("{\"cuboids\": [{\"size\": [1, 2, -1e400]}]}", "f.json").fault().text(), "f.json: cuboids[0].size[2] is -1e400, must be in [-1e30, 1e30]");
+  EXPECT_EQ(parse_scene("{\"cuboids\": [], \"forces\": [{\"body\": 0, \"force\": [1, 0, 0]}]}", "f.json").fault().text(), "f.json: forces[0].body is 0, but the scene has no cuboid");
   EXPECT_EQ(parse_scene("{\"planes\": []}", "f.json").fault().text(), "f.json: cuboids is missing");
   EXPECT_EQ(parse_scene("{\"cuboids\": [], \"dt\": 1, \"dt\": 2}", "f.json").fault().text(), "f.json: scene has the key 'dt' twice, the second time in line 1");
   EXPECT_EQ(parse_scene("{\"planes\": [[1], {\"a\": 0}],\n\"cuboids\": [{\"size\": [1, 2], \"x\": {}},\n {\"mass\": 1,\n  \"mass\": 2}]}", "f.json").fault().text(),
@@ -113,6 +115,7 @@ TEST(ParseScene, RefusesWhatIsNoScene) {
   EXPECT_EQ(parse_scene("{\"a\": {\"b\": [[{}, {\"c\": 1, \"c\": 2}]]}}", "f.json").fault().text(), "f.json: a.b[0][1] has the key 'c' twice, the second time in line 1");
   EXPECT_EQ(parse_scene(std::string(100000, '['), "f.json").fault().text(), "f.json: scene nests deeper than 16 levels");
   EXPECT_TRUE(parse_scene("{\"cuboids\": []}", "f.json")) << "an empty world is a world";
+  EXPECT_TRUE(parse_scene("{\"$schema\": \"scene.schema.json\", \"cuboids\": []}", "f.json")) << "what an editor writes";
 }
 
 TEST(ParseScene, NeverCrashesOnDamagedText) {
