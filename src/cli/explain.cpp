@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -10,6 +11,7 @@
 #include <rigor/grader/check.hpp>
 #include <rigor/report/wrap.hpp>
 #include <rigor/verify/verify.hpp>
+#include <set>
 #include <sstream>
 
 namespace rigor::cli {
@@ -127,26 +129,21 @@ void print_block(const char* title, const std::string& body, Layout layout) {
 }
 
 // Measured now, on inputs of a fixed seed: what `rigor verify --id ID` prints.
-void print_figures(const std::string& id) {
-  const long cases = 2000;
-  const verify::Result measured = verify::run(id, cases, 1);
-  char line[200];
+std::vector<std::string> figures(const std::string& id) {
+  const verify::Result measured = verify::run(id, 2000, 1);
+  std::vector<std::string> lines;
+  for (const auto& r : measured.identities) lines.push_back(fmt::format("identity holds with == for {} of {} rational inputs: {}", r.held, r.cases, r.says));
+  for (const auto& r : measured.roundings) lines.push_back(fmt::format("worst rounding {:.3f} of {}, {} inputs", r.worst, r.bound, r.cases));
+  for (const auto& r : measured.agreements)
+    lines.push_back(fmt::format("differs by {:.1e} at most (allowed {:.1e}), {} inputs, from an oracle: {}", r.worst, r.bound, r.cases, r.oracle));
+  for (const auto& r : measured.absent) lines.push_back("no " + r.part + ": " + r.why);
+  return lines;
+}
+
+std::string listed(const std::vector<std::string>& lines) {
   std::string text;
-  for (const auto& r : measured.identities) {
-    std::snprintf(line, sizeof line, "- identity holds with == for %ld of %ld rational inputs: ", r.held, r.cases);
-    text += line + r.says + "\n";
-  }
-  for (const auto& r : measured.roundings) {
-    std::snprintf(line, sizeof line, "- worst rounding %.3f of %s, %ld inputs\n", r.worst, r.bound.c_str(), r.cases);
-    text += line;
-  }
-  for (const auto& r : measured.agreements) {
-    std::snprintf(line, sizeof line, "- differs by %.1e at most (allowed %.1e), %ld inputs, from an oracle: ", r.worst,
-                  r.bound, r.cases);
-    text += line + r.oracle + "\n";
-  }
-  for (const auto& r : measured.absent) text += "- no " + r.part + ": " + r.why + "\n";
-  print_block("FIGURES (measured now; more: rigor verify --id ID)", text, filled);
+  for (const std::string& line : lines) text += "- " + line + "\n";
+  return text;
 }
 
 void print(const Explanation& e) {
@@ -158,10 +155,9 @@ void print(const Explanation& e) {
     print_block("BRIDGE (what the C++ computes is the theorem's formula)", bridge, folded);
   for (const std::string& bound : e.roundings)
     print_block("ROUNDING BOUND (proved for any rounding to nearest)", bound, folded);
-  std::string tests;
-  for (const std::string& test : e.tests) tests += "- " + test + "\n";
-  print_block("TESTS (those in tests/exact: rationals, ==)", tests, filled);
-  print_figures(e.id);
+  print_block("TESTS (those in tests/exact: rationals, ==)", listed(e.tests), filled);
+  print_block("CHECKS (what rigor grade asks of a submission)", listed(e.checks), filled);
+  print_block("FIGURES (measured now; more: rigor verify --id ID)", listed(figures(e.id)), filled);
 }
 
 // The first sentence of a docstring: what the list shows.
@@ -223,13 +219,20 @@ std::optional<Explanation> explain(const std::vector<Text>& texts, const std::st
     }
   }
   if (e.header.empty()) return std::nullopt;
-  static const std::regex cited(R"((?:erratum|errata|and) ([a-z][a-z0-9-]*))");  // "errata a and b" too; unknown words find no section
-  for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited);
-       m != std::sregex_iterator(); ++m)
-    for (const Text& text : texts)
-      if (text.path == "reference/errata.md")
-        if (const std::string found = section(text.content, "`" + (*m)[1].str() + "`"); !found.empty())
-          e.errata.push_back(found);
+  // errata that the docstring cites ("errata a and b" too), and those that name the formula; not the points to settle below them
+  static const std::regex cited(R"((?:erratum|errata|and) ([a-z][a-z0-9-]*))"), heading(R"((?:^|\n)##+ `([a-z-]+)`)");
+  std::set<std::string> names;
+  for (auto m = std::sregex_iterator(e.docstring.begin(), e.docstring.end(), cited); m != std::sregex_iterator(); ++m) names.insert((*m)[1]);
+  const auto errata = std::find_if(texts.begin(), texts.end(), [](const Text& text) { return text.path == "reference/errata.md"; });
+  if (errata != texts.end()) {
+    const std::string all(errata->content);
+    for (auto m = std::sregex_iterator(all.begin(), all.end(), heading); m != std::sregex_iterator(); ++m) {
+      const std::string found = section(all, "`" + (*m)[1].str() + "`");
+      if (names.count((*m)[1]) != 0 || found.find("`" + id + "`") != std::string::npos) e.errata.push_back(found);
+    }
+  }
+  for (const grader::Check& check : grader::checks())
+    if (check.formula == id) e.checks.push_back(check.id + ": " + check.says);
   return e;
 }
 
@@ -240,16 +243,16 @@ void add_explain(CLI::App& app, int& exit_status) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("explain", "the derivation, theorem, bridge, tests, figures and errata of one formula");
+      app.add_subcommand("explain", "the derivation, errata, theorem, bridge, tests, checks and figures of one formula");
   command->add_option("ID", options->id, "formula id, for example impulse.normal; impulse lists the impulse.*; without it, all are listed");
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example:  rigor explain impulse.normal");
   command->callback([options, &exit_status] {
     const std::vector<std::string> ids = formula_ids(texts());
-    std::vector<std::string> listed;  // all, or those of one family: "impulse" lists impulse.*
+    std::vector<std::string> shown;  // all, or those of one family: "impulse" lists impulse.*
     for (const std::string& id : ids)
-      if (options->id.empty() || starts(id, options->id + ".")) listed.push_back(id);
-    if (!listed.empty()) return print_list(listed, options->json);
+      if (options->id.empty() || starts(id, options->id + ".")) shown.push_back(id);
+    if (!shown.empty()) return print_list(shown, options->json);
     const std::optional<Explanation> found = explain(texts(), options->id);
     if (!found) {
       if (const grader::Check* check = grader::find_check(options->id); check != nullptr) {
@@ -271,7 +274,9 @@ void add_explain(CLI::App& app, int& exit_status) {
                                        {"theorems", found->theorems},
                                        {"bridges", found->bridges},
                                        {"roundings", found->roundings},
-                                       {"tests", found->tests}}
+                                       {"tests", found->tests},
+                                       {"checks", found->checks},
+                                       {"figures", figures(found->id)}}
                             .dump(2)
                             .c_str());
   });

@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <rigor/base/file.hpp>
 #include <rigor/cli/explain.hpp>
 #include <rigor/report/wrap.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -674,7 +676,7 @@ TEST_F(Program, PrintsJsonThatParses) {
 TEST_F(Program, ExplainsAFormulaWithEverythingThatIsKnownOfIt) {
   const Ran ran = rigor_says("explain impulse.normal");
   EXPECT_EQ(ran.status, 0);
-  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "ROUNDING BOUND", "within 3", "tests/exact/impulse_test.cpp", "worst rounding"})
+  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "ROUNDING BOUND", "within 3", "tests/exact/impulse_test.cpp", "CHECKS", "- plane.impulse: ", "worst rounding"})
     EXPECT_TRUE(contains(ran.text, part)) << part;
   EXPECT_FALSE(contains(ran.text, "\x1b")) << "colour escapes in a pipe";
 }
@@ -709,6 +711,20 @@ TEST(Explain, FindsADerivationForEveryFormula) {
     EXPECT_NE(e->derivation, "") << id;
     EXPECT_FALSE(e->tests.empty()) << id;
   }
+}
+
+// What is wrong in the assignment's text is shown with a formula it is about; the points to settle are read in one piece.
+TEST(Explain, ShowsEveryErratumOfTheText) {
+  std::set<std::string> shown;
+  for (const std::string& id : cli::formula_ids(cli::texts())) {
+    const auto e = cli::explain(cli::texts(), id);
+    shown.insert(e->errata.begin(), e->errata.end());
+  }
+  const auto errata = std::find_if(cli::texts().begin(), cli::texts().end(), [](const auto& t) { return t.path == "reference/errata.md"; });
+  ASSERT_NE(errata, cli::texts().end());
+  const std::string all(errata->content), text = all.substr(0, all.find("## Points to settle"));
+  static const std::regex heading("\n##+ `[a-z-]+`");
+  EXPECT_EQ(long(shown.size()), std::distance(std::sregex_iterator(text.begin(), text.end(), heading), std::sregex_iterator()));
 }
 
 // case S-11: no memory left is a sentence and a status, and no file half-written.
