@@ -676,7 +676,7 @@ TEST_F(Program, PrintsJsonThatParses) {
 TEST_F(Program, ExplainsAFormulaWithEverythingThatIsKnownOfIt) {
   const Ran ran = rigor_says("explain impulse.normal");
   EXPECT_EQ(ran.status, 0);
-  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "ROUNDING BOUND", "within 3", "tests/exact/impulse_test.cpp", "CHECKS", "- plane.impulse: ", "worst rounding"})
+  for (const char* part : {"j = −(1 + e) v_n / k_nn", "DERIVATION", "ERRATUM", "THEOREM", "BRIDGE", "ROUNDING BOUND", "within 3", "tests/exact/impulse_test.cpp", "CHECKS", "- plane.restitution: ", "worst rounding"})
     EXPECT_TRUE(contains(ran.text, part)) << part;
   EXPECT_FALSE(contains(ran.text, "\x1b")) << "colour escapes in a pipe";
 }
