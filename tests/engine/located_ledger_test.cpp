@@ -24,11 +24,13 @@ Scene floor_of(double e, double mu) {
 
 const Observer nothing = [](double, const std::vector<State<double>>&) {};
 
-// A cuboid that begins inside a ceiling falls in the stepper for a while, on its parabola: no step gains or loses anything.
+// A cuboid that begins inside a ceiling falls in the stepper for a while, on its parabola, with a floor far below: no step gains or
+// loses anything.
 TEST(LocatedLedger, TheStepperLosesNothingByItself) {
   Scene s;
   s.method = "located";
   s.planes.push_back(*Plane<double>::make(V(0, 5, 0), V(0, -1, 0)));
+  s.planes.push_back(*Plane<double>::make(V(0, -100, 0), V(0, 1, 0)));
   State<double> start;
   start.p_WB = V(0.3, 4.9, -0.2), start.v_WB = V(1, 0, 0);
   s.bodies = {{*Cuboid<double>::make(2, {0.5, 0.5, 1}), start}};

@@ -205,6 +205,44 @@ TEST(LocatedPairs, AnOverlapIsTakenOutByHalves) {
   EXPECT_EQ(run->ledger.impacts, 0);
 }
 
+// The stepper pushes two apart without friction: what slides goes on sliding. They step until ten steps met nothing after that one.
+// Between them in the list stands one that has nothing to do with it.
+TEST(LocatedPairs, APushInTheStepperHasNoFriction) {
+  Scene s;
+  s.method = "located", s.gravity = zero3<double>(), s.dt = 1.0 / 256, s.until = 0.1;
+  s.surface = *Surface<double>::make(0.5, 0.7, 0.6), s.friction_law = FrictionLaw::coulomb;
+  State<double> a, b, other;
+  a.v_WB = V(1, 0, 0), b.p_WB = V(0.99, 0, 0), b.v_WB = V(-1, 3, 0), other.p_WB = V(50, 0, 0);
+  const auto cube = [](double mass) { return *Cuboid<double>::make(mass, {1, 1, 1}); };
+  s.bodies = {{cube(2), a}, {cube(1), other}, {cube(1), b}};
+  std::vector<State<double>> end;
+  const auto run = simulate_located(s, [&](double, const std::vector<State<double>>& states) { end = states; });
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->handed_over.size(), 2u);
+  for (const auto& handed : run->handed_over) EXPECT_NEAR(handed.to, 11 * s.dt, 1e-15) << handed.body;
+  EXPECT_EQ(run->ledger.pair_impacts, 1);
+  EXPECT_EQ(end[0].v_WB[1], 0);
+  EXPECT_EQ(end[2].v_WB[1], 3);
+  EXPECT_LT(end[0].v_WB[0], end[2].v_WB[0]) << "they part";
+  EXPECT_NEAR(2 * end[0].v_WB[0] + end[2].v_WB[0], 1, 1e-14);
+}
+
+// What flies past one in the stepper, within the spheres around the two, flies on.
+TEST(LocatedPairs, OnlyWhatMeetsTheStepperJoinsIt) {
+  Scene s;
+  s.method = "located", s.dt = 1.0 / 64, s.until = 0.5;
+  s.planes.push_back(*Plane<double>::make(V(0, 5, 0), V(0, -1, 0)));
+  const auto box = *Cuboid<double>::make(2, {0.5, 0.5, 1});
+  State<double> inside, beside;
+  inside.p_WB = V(0.3, 4.9, -0.2), beside.p_WB = V(0.9, 4.6, -0.2);
+  s.bodies = {{box, inside}, {box, beside}};
+  const auto run = simulate_located(s, [](double, const auto&) {});
+  ASSERT_TRUE(run);
+  ASSERT_EQ(run->handed_over.size(), 1u) << run->handed_over[1].why;
+  EXPECT_EQ(run->handed_over[0].body, 0u);
+  EXPECT_EQ(run->ledger.pair_impacts, 0);
+}
+
 // Two cubes of which one comes 2^41 m at 2^41 m/s, all of it without a rounding: bounds of 16 u of such places are a hundredth of a
 // cube, and yet nothing is wrong with where they meet.
 TEST(LocatedPairs, ABoundOnRoundingsIsNoRounding) {
