@@ -11,7 +11,7 @@
 namespace rigor {
 namespace {
 
-const char* good = R"({
+const char* good = R"({"$schema": "scene.schema.json",
   "cuboids": [{"size": [1, 2, 3], "mass": 2, "position": [0, 4, 0], "orientation": [0.5, 0.5, 0.5, 0.5], "velocity": [1, 0, 0], "spin": [0, 0, 2]}],
   "planes": [{"point": [0, 0, 0], "normal": [0, 1, 0]}],
   "gravity": [0, -9.8, 0], "restitution": 0.5, "static_friction": 0.5, "dynamic_friction": 0.3, "friction_law": "sheet", "pair_detection": "15-axes",
