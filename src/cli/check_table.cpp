@@ -18,12 +18,11 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct TableOptions {
   std::string file, write, table;
   std::optional<double> within;
 };
 
-int bad_input(const std::string& text) { return refused("check-table", text); }
 std::string frozen_table(const std::string& name) {
   for (const auto& text : texts())
     if (text.path == "reference/tables/" + name + ".csv") return std::string(text.content);
@@ -33,7 +32,7 @@ std::string frozen_table(const std::string& name) {
 // Each CSV and its JSON twin. Nothing is written before all are there.
 int write_tables(const std::filesystem::path& dir) {
   const auto probe = dir / ("probe-" + std::to_string(::getpid()));  // minutes before the first table: can it be written?
-  if (const auto written = write_file(probe, ""); !written) return bad_input("--write: " + dir.string() + " " + written.fault().what);
+  if (const auto written = write_file(probe, ""); !written) return refused("check-table", "--write: " + dir.string() + " " + written.fault().what);
   std::error_code ignored;
   std::filesystem::remove(probe, ignored);
   const auto tables = unless_interrupted(
@@ -46,7 +45,7 @@ int write_tables(const std::filesystem::path& dir) {
   std::vector<std::string> names;
   for (const auto& [name, csv] : tables)
     for (const auto& [file, text] : {std::pair{name + ".csv", csv}, std::pair{name + ".json", studies::table_json(name, csv)}}) {
-      if (const auto written = write_file(dir / file, text); !written) return bad_input(written.fault().text());
+      if (const auto written = write_file(dir / file, text); !written) return refused("check-table", written.fault().text());
       names.push_back(file);
     }
   say_wrote(dir, names);
@@ -63,28 +62,28 @@ std::string other_table(const std::string& name, const std::string& theirs, doub
   return "";
 }
 
-int check_table_command(const Options& options) {
+int check_table_command(const TableOptions& options) {
   if (!options.write.empty()) {
-    if (!options.file.empty() || !options.table.empty() || options.within) return bad_input("--write: makes all tables anew, and looks at no FILE, --table or --within");
+    if (!options.file.empty() || !options.table.empty() || options.within) return refused("check-table", "--write: makes all tables anew, and looks at no FILE, --table or --within");
     return write_tables(options.write);
   }
-  if (options.within && options.file.empty()) return bad_input("--within: needs FILE, whose errors are to be within it");
+  if (options.within && options.file.empty()) return refused("check-table", "--within: needs FILE, whose errors are to be within it");
   const std::string name = options.table.empty() ? "free-flight" : options.table, table = frozen_table(name);
   if (table.empty()) {
     std::vector<std::string> known;
     for (const auto& t : studies::frozen_tables()) known.push_back(t.name);
-    return bad_input(fmt::format("--table there is no table '{}'{}; known: {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
+    return refused("check-table", fmt::format("--table there is no table '{}'{}; known: {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
   }
   if (options.file.empty()) {
     std::fputs(table.c_str(), stdout);
     return 0;
   }
   const auto theirs = read_file(options.file);
-  if (!theirs) return bad_input(theirs.fault().text());
+  if (!theirs) return refused("check-table", theirs.fault().text());
   const auto rows = studies::check_table(table, *theirs, options.file);
   if (!rows) {
     const std::string other = other_table(name, *theirs, std::numeric_limits<double>::infinity());
-    return bad_input(rows.fault().text() + (other.empty() ? "" : "; it fits --table " + other));
+    return refused("check-table", rows.fault().text() + (other.empty() ? "" : "; it fits --table " + other));
   }
   const studies::TableVerdict verdict = studies::verdict_of(*rows);
   const bool within = !options.within || verdict.within(*options.within);
@@ -98,7 +97,7 @@ int check_table_command(const Options& options) {
 }  // namespace
 
 void add_check_table(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TableOptions>();
   CLI::App* command = app.add_subcommand("check-table", "compare an engine's flights and impacts with the frozen 30-digit tables");
   command->add_option("FILE", options->file, "CSV with columns case, qw, qx, qy, qz, wx, wy, wz; impacts: time, vx, vy, vz too; without it the table is printed")->check(not_empty());
   command->add_option("--table", options->table, "free-flight (standard), loaded-flight or impacts")->check(not_empty());

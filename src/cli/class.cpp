@@ -17,15 +17,13 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct ClassOptions {
   std::string directory, rubric, out = "out/class", against, fill, column;
   int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 0;
   int cases = 0;
   bool fresh = false, quiet = false;
 };
-
-int bad_input(const std::string& text) { return refused("class", text); }
 
 /// Whether `path`, which need not exist, is `directory` or lies in it.
 bool inside(const std::filesystem::path& path, const std::filesystem::path& directory) {
@@ -38,40 +36,40 @@ bool inside(const std::filesystem::path& path, const std::filesystem::path& dire
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-int class_command(const Options& options) {
+int class_command(const ClassOptions& options) {
   const std::filesystem::path out = options.out;
   std::filesystem::path directory = options.directory;
-  if (options.fill.empty() && !options.column.empty()) return bad_input("--column: is '" + options.column + "' without --fill, the gradebook it is a column of");
-  if (inside(out, directory)) return bad_input("--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
+  if (options.fill.empty() && !options.column.empty()) return refused("class", "--column: is '" + options.column + "' without --fill, the gradebook it is a column of");
+  if (inside(out, directory)) return refused("class", "--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
   if (!options.against.empty() && inside(out, options.against) && inside(options.against, out))
-    return bad_input("--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
+    return refused("class", "--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
   std::vector<grader::ClassRow> before;
   if (!options.against.empty()) {
     const auto read = grader::read_class(options.against);
-    if (!read) return bad_input("--against: " + read.fault().text());
+    if (!read) return refused("class", "--against: " + read.fault().text());
     before = *read;
   }
   if (!options.fill.empty())  // before an hour of grading, not after it
-    if (const auto possible = grader::fill_gradebook(options.fill, options.column, {}); !possible) return bad_input("--fill: " + possible.fault().text());
+    if (const auto possible = grader::fill_gradebook(options.fill, options.column, {}); !possible) return refused("class", "--fill: " + possible.fault().text());
   grader::Rubric rubric;
   if (!options.rubric.empty()) {
     const auto read = grader::read_rubric(options.rubric);
-    if (!read) return bad_input(read.fault().text());
+    if (!read) return refused("class", read.fault().text());
     rubric = *read;
   }
   std::error_code ec;
   if (std::filesystem::is_regular_file(directory, ec) && grader::archive_name(directory)) {
     const auto unpacked = grader::unpack_class(directory, out / ".unpacked");
-    if (!unpacked) return bad_input(unpacked.fault().text());
+    if (!unpacked) return refused("class", unpacked.fault().text());
     directory = *unpacked;
   }
   const auto entries = grader::read_roster(directory);
   if (!entries) {
     if (directory != options.directory) std::filesystem::remove_all(out / ".unpacked", ec), std::filesystem::remove(out, ec);  // where it is empty
-    return bad_input(entries.fault().text());
+    return refused("class", entries.fault().text());
   }
   std::filesystem::create_directories(out, ec);
-  if (ec) return bad_input("--out: " + options.out + " cannot be written: " + ec.message());
+  if (ec) return refused("class", "--out: " + options.out + " cannot be written: " + ec.message());
   if (options.seed != 0) rubric.seed = options.seed;
   for (const std::string& warning : grader::warnings(rubric, true)) std::fprintf(stderr, "rigor class: %s\n", warning.c_str());
   grader::ClassOptions run;
@@ -87,17 +85,17 @@ int class_command(const Options& options) {
   const auto stale = grader::remove_stale_reports(out, rows);
   const auto changed = options.against.empty() ? std::vector<grader::Change>{} : grader::changes(before, rows);
   std::vector<std::string> files{"class.html", "scores.csv", "matrix.csv", "*/report.html"};
-  if (const auto written = grader::write_class(out, rows, rubric, changed); !written) return bad_input(written.fault().text());
+  if (const auto written = grader::write_class(out, rows, rubric, changed); !written) return refused("class", written.fault().text());
   if (!options.against.empty()) {
-    if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return bad_input(written.fault().text());
+    if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return refused("class", written.fault().text());
     files.push_back("changes.csv");
     if (!options.quiet) std::printf("%zu changed since %s\n", changed.size(), options.against.c_str());
   }
   if (!options.fill.empty()) {
     const auto filled = grader::fill_gradebook(options.fill, options.column, rows);
-    if (!filled) return bad_input("--fill: " + filled.fault().text());
+    if (!filled) return refused("class", "--fill: " + filled.fault().text());
     files.push_back("filled-" + std::filesystem::path(options.fill).filename().string());
-    if (const auto written = write_file(out / files.back(), filled->csv); !written) return bad_input(written.fault().text());
+    if (const auto written = write_file(out / files.back(), filled->csv); !written) return refused("class", written.fault().text());
     for (const std::string& remark : filled->remarks) std::fprintf(stderr, "rigor class: --fill: %s\n", remark.c_str());
     if (!options.quiet) std::printf("%d of %d rows filled in\n", filled->filled, filled->rows);
   }
@@ -126,7 +124,7 @@ int class_command(const Options& options) {
 }  // namespace
 
 void add_class(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ClassOptions>();
   CLI::App* command = app.add_subcommand("class", "grade a directory of submissions: scores.csv, matrix.csv, class.html");
   command->add_option("DIR", options->directory, "a directory or archive for each student (also Autolab, Canvas, Gradescope, Moodle names), or all in one .zip")->required();
   command->add_option("--rubric", options->rubric, "TOML file with points and limits (docs/rubric.md)");

@@ -67,7 +67,7 @@ end
 )file";
 
 constexpr const char* practice = R"file(#!/bin/sh
-# Grades src/ with the seed for practice; the course uses another. Options: those of `rigor grade`, for example
+# Grades src/ with the seed for practice; the course uses another. ExportOptions: those of `rigor grade`, for example
 #   ./practice --out report                          a page to look at
 #   ./practice --check plane.impulse --case 17       one case again
 here=$(cd "$(dirname "$0")" && pwd)
@@ -243,11 +243,11 @@ Outcome<bool> write_autolab(const fs::path& to, const std::string& rubric, const
   return write_file(to / "rigor.tar", tarred(lab));
 }
 
-struct Options {
+struct ExportOptions {
   std::string what, directory, rubric;
 };
 
-int export_command(const Options& options) {
+int export_command(const ExportOptions& options) {
   const auto bad_input = [](const std::string& text) { return std::fprintf(stderr, "rigor export: %s\n", text.c_str()), 2; };
   const std::vector<std::string> known{"kit", "autolab", "gradescope"};
   if (std::find(known.begin(), known.end(), options.what) == known.end())
@@ -277,7 +277,7 @@ int export_command(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "writes the students' kit, an Autolab lab or a Gradescope autograder");
   command->add_option("WHAT", options->what, "kit, autolab or gradescope")->required();
   command->add_option("DIR", options->directory, "where it goes: a new or an empty directory")->required();

@@ -20,7 +20,7 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct GradeOptions {
   grader::Reader reader = grader::Reader::instructor;
   std::vector<std::string> paths;
   std::string rubric;
@@ -53,7 +53,7 @@ const Format* find_format(const std::string& name) {
 }
 
 // Writes the asked formats; their names, the page first.
-Outcome<std::vector<std::string>> write_formats(const grader::Report& report, const Options& options, const std::filesystem::path& dir) {
+Outcome<std::vector<std::string>> write_formats(const grader::Report& report, const GradeOptions& options, const std::filesystem::path& dir) {
   const std::vector<std::string> asked = options.formats.empty() ? std::vector<std::string>{"html", "text", "json"} : options.formats;
   std::vector<std::string> names;
   for (const std::string& name : asked) {
@@ -65,7 +65,7 @@ Outcome<std::vector<std::string>> write_formats(const grader::Report& report, co
 }
 
 // What a platform finds when the grader could not finish, or was killed: written first, replaced at the end.
-Outcome<bool> write_failures(const std::string& why, const grader::Rubric& rubric, const Options& options) {
+Outcome<bool> write_failures(const std::string& why, const grader::Rubric& rubric, const GradeOptions& options) {
   for (const std::string& name : options.formats) {
     if (name != "gradescope" && name != "autolab") continue;
     const std::string text = name == "autolab" ? grader::autolab_failure(why, rubric.group_names()) : grader::gradescope_failure(why);
@@ -85,7 +85,7 @@ Outcome<grader::Submission> submission_at(const std::filesystem::path& path) {
   return grader::open_submission(path);
 }
 
-Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, bool left_out, const Options& options) {
+Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric& rubric, const std::vector<std::string>& chosen, int asked_cases, bool left_out, const GradeOptions& options) {
   const auto submission = submission_at(path);
   if (!submission) return submission.fault();
   grader::Selection selection{chosen, options.single_case};
@@ -103,7 +103,7 @@ Outcome<grader::Report> grade_one(const std::string& path, const grader::Rubric&
   return filled;
 }
 
-int grade_command(const Options& options) {
+int grade_command(const GradeOptions& options) {
   if (options.print_rubric) {
     std::fputs(grader::default_rubric_text().c_str(), stdout);
     return 0;
@@ -207,7 +207,7 @@ int grade_command(const Options& options) {
 }  // namespace
 
 void add_grade(CLI::App& app, int& exit_status, grader::Reader reader) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GradeOptions>();
   options->reader = reader;
   CLI::App* command = app.add_subcommand("grade", "grade submissions: points, the smallest failing case, the likely mistake");
   command->add_option("PATH", options->paths, "directory, .zip or .tar of a submission");

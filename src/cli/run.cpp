@@ -24,7 +24,7 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scene;
   std::optional<std::string> method, out;
   std::vector<std::string> beside;
@@ -147,7 +147,7 @@ Outcome<RunSummary> simulate_recorded(const Scene& scene, view::Recording* recor
 }
 
 // The scene by each method of --beside, only to be compared with it.
-Outcome<std::vector<Scene>> beside(const Scene& scene, const Options& options) {
+Outcome<std::vector<Scene>> beside(const Scene& scene, const RunOptions& options) {
   std::vector<Scene> scenes;
   for (const std::string& method : options.beside) {
     scenes.push_back(scene);
@@ -157,7 +157,7 @@ Outcome<std::vector<Scene>> beside(const Scene& scene, const Options& options) {
   return scenes;
 }
 
-int run_command(const Options& options) {
+int run_command(const RunOptions& options) {
   if (options.scene.empty()) return bad_input({Fault::Kind::missing, "SCENE", "is empty, must be a file or a built-in scene"});
   if (options.out && options.out->empty()) return bad_input({Fault::Kind::missing, "--out", "is empty, must be a directory"});
   auto opened = open_scene(options.scene, options.seed);
@@ -231,7 +231,7 @@ int run_command(const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "simulate a scene: trajectory, energy and momentum accounts");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
   command->add_option("--method", options->method, "in place of the scene's: a stepper, or \"located\": exact flight, impacts at their time");

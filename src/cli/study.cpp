@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct StudyOptions {
   studies::StudyRequest request;
   std::string out, submission, command;
   int jobs = 0;
@@ -87,7 +87,7 @@ std::vector<std::string> installed_peers() {
   return there;
 }
 
-int study_command(const Options& options) {
+int study_command(const StudyOptions& options) {
   studies::StudyRequest request = options.request;
   if (options.resume && options.out.empty()) return bad_input("--resume: needs --out, where the finished cells lie");
   if (options.all_peers && !request.peers.empty()) return bad_input("--peers and --peer: both choose the peers");
@@ -166,7 +166,7 @@ std::string typed(const CLI::App& command) {
 }  // namespace
 
 void add_study(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyOptions>();
   studies::StudyRequest& r = options->request;
   CLI::App* command = app.add_subcommand("study", "error against step, run time against error, drift, stability, contact: our methods, other engines, a submission");
   command->add_option("KIND", r.kind, "convergence, work-precision, drift, stability or contact")->required();

@@ -18,7 +18,7 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct VerifyOptions {
   std::string id;
   long cases = 2000;
   double seconds = 0;
@@ -46,7 +46,7 @@ void merge(verify::Result& sum, const verify::Result& more) {
   merge_agreements(sum.engines, more.engines);
 }
 
-nlohmann::json as_json(const verify::Result& result, const Options& options) {
+nlohmann::json as_json(const verify::Result& result, const VerifyOptions& options) {
   nlohmann::json out{{"seed", options.seed}, {"ok", result.ok()}};
   for (const auto& r : result.identities)
     out["identities"].push_back({{"id", r.id}, {"says", r.says}, {"cases", r.cases}, {"held", r.held}});
@@ -89,7 +89,7 @@ void print(const verify::Result& result) {
   print(result.engines);
 }
 
-int verify_command(const Options& options) {
+int verify_command(const VerifyOptions& options) {
   std::vector<std::string> ids = formula_ids(texts());
   for (const std::string& id : verify::engine_ids()) ids.push_back(id);
   if (!options.id.empty() && std::find(ids.begin(), ids.end(), options.id) == ids.end()) {
@@ -121,7 +121,7 @@ int verify_command(const Options& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", "property run over the built-in formulas and engines; a soak with --time");
   command->add_option("--id", options->id, "only this formula, or engine.exact-flight, engine.batch, engine.located");
   command->add_option("--cases", options->cases, "random inputs for each formula and round")

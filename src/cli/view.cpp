@@ -13,7 +13,7 @@
 namespace rigor::cli {
 namespace {
 
-struct Options {
+struct ViewOptions {
   std::string scene, method;
   std::uint64_t seed = 0;
   unsigned short port = 0;
@@ -21,7 +21,7 @@ struct Options {
 
 int bad_input(const Fault& fault) { return refused("view", fault.text()); }
 
-int view_command(const Options& options) {
+int view_command(const ViewOptions& options) {
   auto opened = open_scene(options.scene, options.seed);
   if (!opened) return bad_input(opened.fault());
   Scene scene = *opened;
@@ -52,7 +52,7 @@ int view_command(const Options& options) {
 }  // namespace
 
 void add_view(CLI::App& app, int& exit_status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand("view", "a scene live in a browser: keys, sliders, a hand that pulls");
   command->add_option("SCENE", options->scene, "a JSON file, or a built-in: assignment, drop, tumble, slide, spin-box")->required();
   command->add_option("--port", options->port, "of 127.0.0.1; any free one by default")->check(in_range(0, 65535));

@@ -29,7 +29,7 @@ std::string kit_text(const std::string& path) {
   return "";
 }
 
-std::string squeezed(std::string_view text) {
+std::string tokens_in_line(std::string_view text) {
   std::string s;
   for (const Token& t : tokens_of(text)) (s += t.text) += ' ';
   return s;
@@ -81,7 +81,7 @@ void Sources::bring_in(const Submission& s) {
       sources_[c + ending] = file ? Source{file->path, file->text} : from_kit(c + ending);
     }
   if (const SourceFile* file = s.find("Constants.h");
-      file && squeezed(file->text) != squeezed(kit_text("handout/Constants.h"))) {
+      file && tokens_in_line(file->text) != tokens_in_line(kit_text("handout/Constants.h"))) {
     std::string text = file->text;
     for (const char* name : {"COEFF_RESITUTION", "COEFF_STATIC_FRICTION", "COEFF_DYNAMIC_FRICTION", "DELTA_T"})
       if (text.find(name) == text.npos) text += std::string("extern const double ") + name + ";\n";

@@ -1,6 +1,6 @@
 // What `rigor export` writes, run by its entry scripts as the platforms run them.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -12,26 +12,13 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tests/cli/shell.hpp>
 
 namespace rigor {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-struct Ran {
-  int status;
-  std::string text;
-};
-Ran sh(const std::string& command) {
-  std::FILE* pipe = popen(("( " + command + " ) 2>&1 </dev/null").c_str(), "r");
-  Ran ran{0, ""};
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) ran.text.append(buffer, n);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return ran;
-}
 
 class Export : public ::testing::Test {
  protected:

@@ -1,10 +1,8 @@
 // The program as its user meets it: exit statuses, messages, files.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -14,26 +12,14 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tests/cli/shell.hpp>
 
 namespace rigor {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ran {
-  int status;
-  std::string text;  // stdout and stderr
-};
-Ran rigor_says(const std::string& arguments, const std::string& before = "") {
-  const std::string command = before + std::string(RIGOR_BINARY_DIR) + "/rigor " + arguments + " 2>&1 </dev/null";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Ran ran{0, ""};
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) ran.text.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return ran;
-}
+Ran rigor_says(const std::string& arguments, const std::string& before = "") { return sh(before + std::string(RIGOR_BINARY_DIR) + "/rigor " + arguments); }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 void expect_columns(const std::string& text, std::size_t most) {
   std::istringstream lines(text);
@@ -732,12 +718,8 @@ TEST_F(Program, SaysSoWhenMemoryRunsOut) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the address sanitizer needs more address space than the limit allows";
 #endif
-  const std::string command = "ulimit -v 150000; " + std::string(RIGOR_BINARY_DIR) + "/rigor run assignment --until 3000 --out " + (dir / "big").string() + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 4096> buffer;
-  std::string text;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), n);
-  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 3) << text;
+  const auto [status, text] = rigor_says("run assignment --until 3000 --out " + (dir / "big").string(), "ulimit -v 150000; ");
+  EXPECT_EQ(status, 3) << text;
   EXPECT_TRUE(contains(text, "rigor: out of memory")) << text;
   EXPECT_FALSE(fs::exists(dir / "big" / "trajectory.csv"));
 }

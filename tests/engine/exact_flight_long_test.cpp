@@ -8,6 +8,7 @@
 #include <reference/theta_flight.hpp>
 #include <rigor/engine/exact_flight.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <tests/engine/flight_cases.hpp>
 
 namespace rigor {
 namespace {
@@ -15,14 +16,10 @@ namespace {
 using V = Vec3<double>;
 using P = reference::Precise;
 using Precision = ExactFlight::Precision;
-const V moments(13 / 12., 10 / 12., 5 / 12.);  // cuboid 1 x 2 x 3 m, 1 kg
-const Mat3<double> generic = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
-const V spins[3] = {{0.3, 2, 0.2}, {5, 0.01, 0.01}, {1e-6, 2, 1e-6}};  // cases A, B, C
-
 struct Pair {
   double plain, extended;  // attitude error, rad
 };
-Pair errors(const V& I, const V& w, double t) {
+Pair attitude_errors(const V& I, const V& w, double t) {
   const auto want = reference::ThetaFlight<P>(reference::FreeBody{I, w, generic}).at(P(t));
   const auto off = [&](Precision precision) {
     const Attitude got = ExactFlight::make(I, w, generic, precision)->at(t);
@@ -45,7 +42,7 @@ TEST(ExactFlightLong, HoldsOnThreeHundredRandomCuboids) {
   Pair worst{0, 0};
   for (int k = 0; k < 300; ++k) {
     const double a = 1, b = std::pow(100, U(random)), c = std::pow(100, U(random));
-    const Pair e = errors(V(b * b + c * c, a * a + c * c, a * a + b * b), V{N(random), N(random), N(random)}, 10);
+    const Pair e = attitude_errors(V(b * b + c * c, a * a + c * c, a * a + b * b), V{N(random), N(random), N(random)}, 10);
     worst = {std::fmax(worst.plain, e.plain), std::fmax(worst.extended, e.extended)};
   }
   std::printf("300 random cuboids, aspect to 100, t = 10: worst %.1e (plain), %.1e (extended)\n", worst.plain, worst.extended);
@@ -61,7 +58,7 @@ TEST(ExactFlightLong, HoldsAtAMillionSeconds) {
   ASSERT_EQ(ExactFlight::make(moments, wide, generic)->tuned().kind, ExactFlight::Tuned::Kind::theta);
   for (int k = 0; k < 4; ++k)
     for (const double t : {1e3, 1e6 - 0.375, -1e6}) {
-      const Pair e = errors(moments, k < 3 ? spins[k] : wide, t);
+      const Pair e = attitude_errors(moments, k < 3 ? spins[k] : wide, t);
       std::printf("case %c, t = %10.1f: %.1e (plain), %.1e (extended)\n", "ABC-"[k], t, e.plain, e.extended);
       if (k != 2) {
         EXPECT_LT(e.plain, 1e-8);

@@ -10,14 +10,13 @@
 #include <rigor/engine/exact_flight.hpp>
 #include <rigor/engine/flight_constants.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <tests/engine/flight_cases.hpp>
 
 namespace rigor {
 namespace {
 
 using V = Vec3<double>;
 using Precision = ExactFlight::Precision;
-const V moments(13 / 12., 10 / 12., 5 / 12.);  // cuboid 1 x 2 x 3 m, 1 kg
-const Mat3<double> generic = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
 
 struct Errors {
   double attitude, momentum;  // rad; relative
@@ -40,8 +39,6 @@ Compared errors(const V& I, const V& w, double t) {
   };
   return {off(Precision::plain), off(Precision::extended)};
 }
-
-const V spins[3] = {{0.3, 2, 0.2}, {5, 0.01, 0.01}, {1e-6, 2, 1e-6}};  // cases A, B, C of free-flight
 
 // Bars: 1e-13 with double constants, 5e-15 with extended ones; measured 2.2e-14 and 4.5e-16.
 TEST(ExactFlight, MeetsItsBarsOnTheThreeCases) {

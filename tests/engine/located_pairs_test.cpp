@@ -278,7 +278,7 @@ TEST(LocatedPairs, ASlowApproachOfTinyOnesIsOne) {
   }
 }
 
-Scene room(Draw& draw, double e) {
+Scene crowd(Draw& draw, double e) {
   Scene s;
   s.surface = *Surface<double>::make(e, 0, 0);
   for (int axis = 0; axis < 3; ++axis)
@@ -303,7 +303,7 @@ Scene room(Draw& draw, double e) {
 TEST(LocatedPairs, EightElasticCuboidsInARoomKeepTheirEnergyAndTheirDistance) {
   Draw draw;
   for (int run = 0; run < 3; ++run) {
-    Scene s = room(draw, 1);
+    Scene s = crowd(draw, 1);
     s.until = 4;
     s.every = 0.004;
     double overlap = 0, outside = 0;
@@ -334,7 +334,7 @@ TEST(LocatedPairs, GiveTheSameBitsWhateverOutputIsAsked) {
   std::vector<State<double>> last[2];
   for (const int k : {0, 1}) {
     Draw draw;
-    Scene s = room(draw, 0.9);
+    Scene s = crowd(draw, 0.9);
     s.until = 1.5;
     s.every = k == 0 ? 1.5 : 0.007;
     s.dt = k == 0 ? 0.01 : 0.002;

@@ -10,7 +10,7 @@ namespace {
 
 using V = Vec3<double>;
 
-struct Pose {
+struct Block {
   Cuboid<double> shape = *Cuboid<double>::make(2, {1, 2, 3});
   State<double> state;
   // A plane that only corner k of the cuboid can touch, `below` it by so many metres.
@@ -19,10 +19,10 @@ struct Pose {
     return *Plane<double>::make(V(state.p_WB + (1 + below / norm<double>(out)) * out), V(-out / norm<double>(out)));
   }
 };
-Pose turned() {
-  Pose pose;
-  pose.state.p_WB = V(0.25, -0.5, 1), pose.state.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
-  return pose;
+Block turned() {
+  Block block;
+  block.state.p_WB = V(0.25, -0.5, 1), block.state.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
+  return block;
 }
 
 // Half a diagonal 7/2; 16 u of the terms of a gap and of the speeds in a rate. Gaps and rates by the corners themselves.
@@ -44,26 +44,26 @@ TEST(CornerGaps, RoundingIsSixteenUnitsOfTheTerms) {
 
 // Pressed against the plane at rest: there is no time to name, whichever corner it is.
 TEST(NextPlaneContact, IsTangledWhereAnyOneCornerStays) {
-  const Pose pose = turned();
+  const Block block = turned();
   for (int k = 0; k < 8; ++k) {
-    const Plane<double> plane = pose.under(k, 0);
-    const Flight flight(pose.shape, pose.state, V(-9.81 * plane.normal()));
-    EXPECT_EQ(next_plane_contact(pose.shape, flight, plane, 0, 1).kind, PlaneContact::Kind::tangled) << k;
+    const Plane<double> plane = block.under(k, 0);
+    const Flight flight(block.shape, block.state, V(-9.81 * plane.normal()));
+    EXPECT_EQ(next_plane_contact(block.shape, flight, plane, 0, 1).kind, PlaneContact::Kind::tangled) << k;
   }
 }
 
 // Thrown at the plane without spin, a metre away at 2 m/s and 9.81 m/s^2: τ by the formula for a fall.
 TEST(NextPlaneContact, IsWhereTheFirstOfEightCornersTouches) {
-  Pose pose = turned();
+  Block block = turned();
   const double fall = (-2 + std::sqrt(4 + 2 * 9.81)) / 9.81;
   for (int k = 0; k < 8; ++k) {
-    const Plane<double> plane = pose.under(k, 1);
-    pose.state.v_WB = V(-2 * plane.normal());
-    const Flight flight(pose.shape, pose.state, V(-9.81 * plane.normal()));
-    const PlaneContact found = next_plane_contact(pose.shape, flight, plane, 0, 1);
+    const Plane<double> plane = block.under(k, 1);
+    block.state.v_WB = V(-2 * plane.normal());
+    const Flight flight(block.shape, block.state, V(-9.81 * plane.normal()));
+    const PlaneContact found = next_plane_contact(block.shape, flight, plane, 0, 1);
     EXPECT_EQ(found.kind, PlaneContact::Kind::impact) << k;
     EXPECT_NEAR(found.tau, fall, 1e-14) << k;  // 3 roundings of a place of size 3, over 5 m/s
-    const PlaneContact none = next_plane_contact(pose.shape, flight, plane, 0, fall / 2);
+    const PlaneContact none = next_plane_contact(block.shape, flight, plane, 0, fall / 2);
     EXPECT_EQ(none.kind, PlaneContact::Kind::none) << k;
     EXPECT_EQ(none.tau, fall / 2);
   }

@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-const LoadAt no_load = [](double, const State<double>&) { return Load{}; };
+const LoadAt unloaded = [](double, const State<double>&) { return Load{}; };
 
 // case D-09
 TEST(EveryMethod, ConservesWhatItSays) {
@@ -21,7 +21,7 @@ TEST(EveryMethod, ComesBackIfItIsSymmetric) {
   for (const Method& m : methods()) {
     if (m.name == "euler-naive") continue;  // its R leaves the rotations
     counted += symmetric(m);
-    expect_to_come_back_if_symmetric(m, no_load, m.order);
+    expect_to_come_back_if_symmetric(m, unloaded, m.order);
     expect_to_come_back_if_symmetric(m, changing_load, m.forced_order);
   }
   EXPECT_GE(counted, 10);
@@ -32,7 +32,7 @@ TEST(EveryMethod, ComesBackIfItIsSymmetric) {
 TEST(EveryMethod, HasTheOrderItStatesInOneStep) {
   const auto slack = [](int order) { return order <= 4 ? 0.05 : order <= 6 ? 0.2 : order <= 8 ? 0.5 : 2; };  // measured: 0.02, 0.13, 0.45, 1.33
   for (const Method& m : methods()) {
-    EXPECT_NEAR(local_order(m, *find_method("taylor16"), no_load), m.order, slack(m.order)) << m.name;
+    EXPECT_NEAR(local_order(m, *find_method("taylor16"), unloaded), m.order, slack(m.order)) << m.name;
     EXPECT_NEAR(local_order(m, *find_method(m.name == "taylor16" ? "split2-kahan-li8" : "taylor16"), changing_load), m.forced_order, slack(m.forced_order)) << m.name;
   }
 }

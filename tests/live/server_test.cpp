@@ -129,7 +129,7 @@ class Client {
   beast::websocket::stream<tcp::socket> socket_;
   beast::error_code refused_;
 };
-const std::string run = R"({"do":"toggle","what":"running"})";
+const std::string start_or_stop = R"({"do":"toggle","what":"running"})";
 
 // ---- who is let in
 
@@ -181,7 +181,7 @@ TEST(Server, TellsEveryViewerWhatOnePresses) {
   EXPECT_EQ(first["seed"], 3);
   EXPECT_EQ(first["bodies"].size(), 10u);
   EXPECT_FALSE(other.next("status")["running"]);
-  one.say(run);
+  one.say(start_or_stop);
   EXPECT_TRUE(other.until([](const Json& s) { return s["running"] && s["t"] > 0.05; })["running"]);
   other.say(R"({"do":"toggle","what":"vacuum"})");
   EXPECT_TRUE(one.until([](const Json& s) { return bool(s["vacuum"]); })["vacuum"]);
@@ -222,7 +222,7 @@ TEST(Server, EndsConnectionsThatBreakTheProtocol) {
   Client large(here);
   large.say("{\"do\":\"" + std::string(5000, 'x') + "\"}");
   EXPECT_TRUE(large.ended());
-  watcher.say(run);
+  watcher.say(start_or_stop);
   EXPECT_TRUE(watcher.until([](const Json& s) { return bool(s["running"]); })["running"]) << "the others go on";
 }
 TEST(Server, AnswersNonsenseWithAFault) {
@@ -283,7 +283,7 @@ TEST(Server, TakesEightViewersAndSixtyFourConnections) {
     cut += error != asio::error::would_block;
   }
   EXPECT_EQ(cut, 36);
-  viewers[0]->say(run);
+  viewers[0]->say(start_or_stop);
   EXPECT_TRUE(viewers[7]->until([](const Json& s) { return bool(s["running"]); })["running"]);
   silent.clear();
   viewers.clear();
@@ -298,7 +298,7 @@ TEST(Server, TakesEightViewersAndSixtyFourConnections) {
 TEST(Server, GoesOnBesideAViewerThatDoesNotRead) {
   const Running here;
   Client slow(here), quick(here);
-  quick.say(run);
+  quick.say(start_or_stop);
   EXPECT_GT(quick.until([](const Json& s) { return s["t"] > 1; })["t"], 1);
 }
 

@@ -72,7 +72,7 @@ PairVelocity<Q> friction_added(const Case& c) {  // −μ j_r t on top of the fr
                                Vec3<Q>(j_r * c.m.n_AB_W - Q(1, 2) * j_r * c.t));
 }
 
-const std::vector<std::string> oracles = {"P", "L", "energy gain", "P-05 energy", "v' = -e v"};
+const std::vector<std::string> impact_oracles = {"P", "L", "energy gain", "P-05 energy", "v' = -e v"};
 
 /// The five oracles on one impact; they know the bodies, the contact and e, not how the impact was computed.
 void judge(const Meeting& m, const PairVelocity<Q>& u, Verdict& verdict) {
@@ -139,8 +139,8 @@ TEST(ImpactMutants, AreEachKilledAndNoSingleOracleKillsThemAll) {
     EXPECT_EQ(killed(verdict), mutant.impact != right) << mutant.name;
     rows.push_back({mutant.name, verdict});
   }
-  expect_in_docs(matrix("300 impacts of two cuboids over the rationals: how many each oracle flags", oracles, rows));
-  for (const std::string& oracle : oracles) {
+  expect_in_docs(matrix("300 impacts of two cuboids over the rationals: how many each oracle flags", impact_oracles, rows));
+  for (const std::string& oracle : impact_oracles) {
     bool kills_all = true;
     for (const auto& [name, verdict] : rows)
       kills_all = kills_all && (name == "none" || (verdict.count(oracle) && verdict.at(oracle) > 0));

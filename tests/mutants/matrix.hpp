@@ -42,17 +42,17 @@ inline std::string section_of(const std::string& page, const std::string& sectio
   return page.substr(begin, next == std::string::npos ? next : next - begin);
 }
 
-/// The page shows this section; with RIGOR_WRITE_DOCS set, it is written there first.
+/// The page shows this section; with RIGOR_WRITE set, it is written there first.
 inline void expect_in_docs(const std::string& section) {
   const std::string path = std::string(RIGOR_SOURCE_DIR) + "/docs/oracles.md";
   std::string page = *read_file(path);
-  if (std::getenv("RIGOR_WRITE_DOCS")) {
+  if (std::getenv("RIGOR_WRITE")) {
     const std::string old = section_of(page, section);
     if (old.empty()) page += "\n" + section;
     else page.replace(page.find(old), old.size(), section);
     EXPECT_TRUE(write_file(path, page));
   }
-  EXPECT_EQ(section_of(page, section), section) << "docs/oracles.md is out of date: RIGOR_WRITE_DOCS=1 test_mutants writes it";
+  EXPECT_EQ(section_of(page, section), section) << "docs/oracles.md is out of date: RIGOR_WRITE=1 test_mutants writes it";
 }
 
 inline bool killed(const Verdict& verdict) {

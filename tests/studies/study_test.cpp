@@ -29,7 +29,7 @@ class Cells : public ::testing::Test {
   fs::path dir;
 };
 
-StudyRequest small() {
+StudyRequest small_study() {
   StudyRequest r{"convergence", {"short-A"}, {"sheet", "rk4"}};
   r.coarsest = 10;
   r.rungs = 4;
@@ -39,7 +39,7 @@ const auto never_alone = [](const Cell&) { return false; };
 const auto measure = [](const Cell& cell) { return fly(cell); };
 
 TEST_F(Cells, DifferInTheirFileNamesAndComeBackFromTheirFiles) {
-  const auto cells = plan(small());
+  const auto cells = plan(small_study());
   ASSERT_TRUE(cells);
   ASSERT_EQ(cells->size(), 8u);
   std::set<std::string> files;
@@ -61,7 +61,7 @@ TEST_F(Cells, DifferInTheirFileNamesAndComeBackFromTheirFiles) {
 
 // One thread or three, at once or in two halves with a lost file between: the same rows.
 TEST_F(Cells, GiveTheSameRowsOnAnyThreadsAndAfterAResume) {
-  const auto cells = *plan(small());
+  const auto cells = *plan(small_study());
   const auto csv = [&](const RunOptions& options) {
     const auto rows = run_cells(cells, measure, never_alone, options);
     EXPECT_TRUE(rows);
@@ -79,7 +79,7 @@ TEST_F(Cells, GiveTheSameRowsOnAnyThreadsAndAfterAResume) {
 }
 
 TEST_F(Cells, AreKeptWhenTheRunIsInterrupted) {
-  const auto cells = *plan(small());
+  const auto cells = *plan(small_study());
   int measured = 0;
   const auto stopped = run_cells(cells, [&](const Cell& cell) {
     if (++measured == 4) detail::interrupt_seen = SIGINT;
@@ -95,7 +95,7 @@ TEST_F(Cells, AreKeptWhenTheRunIsInterrupted) {
 
 TEST_F(Cells, SayWhenTheyCannotBeWritten) {
   ASSERT_TRUE(write_file(dir, "a file where a directory is wanted"));
-  const auto rows = run_cells(*plan(small()), measure, never_alone, {2, dir});
+  const auto rows = run_cells(*plan(small_study()), measure, never_alone, {2, dir});
   ASSERT_FALSE(rows);
   EXPECT_EQ(rows.fault().kind, Fault::Kind::unwritable);
 }
