@@ -86,7 +86,7 @@ template <bool near>
 RIGOR_INLINE CosSinc cos_sinc_of(double z) {
   const CosSinc small = cos_sinc_near(z);
   if constexpr (near) return small;
-  const CosSinc large = cos_sinc_far(z);
+  const CosSinc large = cos_sinc_far(z < 0.25 ? 0.25 : z);  // not 0, by whose root it divides: the user may trap what is no number
   return {z < 0.25 ? small.cos : large.cos, z < 0.25 ? small.sinc : large.sinc};
 }
 template <bool near, int k>

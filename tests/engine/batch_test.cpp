@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <limits>
 #include <random>
 #include <rigor/engine/batch.hpp>
 #include <rigor/engine/flight_batch.hpp>
@@ -231,15 +232,26 @@ TEST(Batch, OfNoStepStaysWhereItIs) {
 // Three cuboids fill three of eight lanes; in the others nothing is computed that is no number, which a user who traps such would meet.
 TEST(Batch, MakesNoInvalidOperationInLanesOfNobody) {
   for (const BatchMethod method : {BatchMethod::euler_momentum, BatchMethod::euler_momentum_cross, BatchMethod::split2}) {
-    World world = random_world(3, 17);
-    world.method = method;
-    Batch batch = world.batch();
-    for (const Instructions with : supported_instructions()) {
-      std::feclearexcept(FE_ALL_EXCEPT);
-      batch.step(0.01, 5, 1, with);
-      EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO)) << plain(method).name << ", " << name(with);
+    for (const double spin : {20., 300.}) {  // by a fast one, which turns 3 rad a step, the others are taken another way
+      World world = random_world(3, 17);
+      world.method = method;
+      world.motions[1].state.w_WB *= spin / norm<double>(world.motions[1].state.w_WB);
+      world.motions[1] = motion_of(world.bodies[1], world.motions[1].state);
+      Batch batch = world.batch();
+      for (const Instructions with : supported_instructions()) {
+        std::feclearexcept(FE_ALL_EXCEPT);
+        batch.step(0.01, 5, 1, with);
+        EXPECT_FALSE(std::fetestexcept(FE_INVALID | FE_DIVBYZERO)) << plain(method).name << ", " << name(with) << ", " << spin << " rad/s";
+      }
     }
   }
+}
+
+// Nothing to do is done at once, however often; a single step for nobody, made so often, would not end.
+TEST(Batch, OfNobodyHasNoSteps) {
+  Batch batch = *Batch::make({}, {});
+  batch.step(0.01, std::numeric_limits<long>::max());
+  EXPECT_EQ(batch.size(), 0u);
 }
 
 TEST(Batch, RefusesWhatItCannotStep) {

@@ -126,12 +126,29 @@ TEST(ExactFlight, SettlesOnTheUnstableAxisFromTheSeparatrix) {
   const V I(1, 3, 6), w(1.5, 0.7, 0.5);
   const auto flight = ExactFlight::make(I, w, generic);
   const double L = norm<double>(V(I.cwiseProduct(w)));
-  for (const double t : {100.0, 1e3, -1e3, 1e6, 1e9}) {
+  for (const double t : {100.0, 1e3, -1e3, 1e6, 1e9, 1e19, -1e19}) {  // no period, not even one of 1e18
     const Attitude a = flight->at(t);
     EXPECT_NEAR(a.L_B[1], t > 0 ? L : -L, 1e-14 * L) << t << ": I_2 w_2' = (I_3 - I_1) w_3 w_1 > 0";
     EXPECT_LT(orthonormality_defect<double>(a.R_WB), 1e-14) << t;
     EXPECT_LT(norm<double>(V(apply<double>(a.R_WB, a.L_B) - apply<double>(generic, V(I.cwiseProduct(w))))), 1e-13 * L) << t;
   }
+}
+
+// About one axis the attitude is R_0 exp(w t) and nothing else has a part in it: seen 0; by the series of other spins up to 4e-7.
+TEST(ExactFlight, AboutOneAxisIsAPlainTurn) {
+  for (const V& I : {V(1, 2, 2.5), V(10001, 1.5, 10001.5), V(13 / 12., 10 / 12., 5 / 12.)})
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double spin : {3., -0.7}) {
+        V w = zero3<double>();
+        w[axis] = spin;
+        const auto flight = ExactFlight::make(I, w, generic, Precision::plain);
+        EXPECT_EQ((flight->at(0).R_WB - generic).norm(), 0);
+        for (const double t : {1., 3., 10., -8.}) {
+          const Attitude a = flight->at(t);
+          EXPECT_LT(angle_between<double>(a.R_WB, Mat3<double>(generic * exp_so3<double>(V(w * t)))), 1e-14) << I.transpose() << ", axis " << axis << ", t = " << t;
+          EXPECT_EQ(a.L_B, V(I.cwiseProduct(w)));
+        }
+      }
 }
 
 TEST(ExactFlight, DoesNotCareForScale) {

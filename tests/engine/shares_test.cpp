@@ -65,6 +65,16 @@ TEST(Shares, AreCompiledForTheInstructionsAskedFor) {
   EXPECT_EQ(detail::compiled_for(Instructions::avx512, function)(), 3);
 }
 
+// Every set of flags: what a processor lacks is never used on it.
+TEST(Instructions, AskForAllTheFlagsTheyNeed) {
+  for (int set = 0; set < 32; ++set) {
+    const auto found = instructions_of({bool(set & 1), bool(set & 2), bool(set & 4), bool(set & 8), bool(set & 16)});
+    const std::size_t want = set == 31 ? 3 : (set & 3) == 3 ? 2 : 1;
+    ASSERT_EQ(found.size(), want) << set;
+    for (std::size_t i = 0; i < want; ++i) EXPECT_EQ(int(found[i]), int(i)) << set;
+  }
+}
+
 // The processor's own list, as the system reads it.
 TEST(Instructions, AreThoseTheSystemSaysTheProcessorHas) {
   std::ifstream file("/proc/cpuinfo");
