@@ -74,8 +74,12 @@ void LocatedWorld::near(const AxisBox& box, std::vector<std::uint32_t>& found) c
 
 PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   const LocatedBody &a = bodies_[i], &b = bodies_[j];
-  if (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting) return {};
   const Moment base = a.start.since(b.start) > 0 ? a.start : b.start;
+  if (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting) {  // they stay as they are; told only if one is inside the other
+    const State<double>&s_a = a.flight->start(), &s_b = b.flight->start();
+    if (spheres_apart(i, s_a, j, s_b) || separation(shape(i), s_a, shape(j), s_b).gap >= -allowed_overlap(i, s_a, j, s_b) - a.rounding - b.rounding) return {};
+    return {base, PairContact::Kind::touch};
+  }
   // until the run, or one of the flights, is over: the next flight is searched when it begins
   const double longest = std::min({base.until(scene_.until), a.next - base.since(a.start), b.next - base.since(b.start)});
   if (skips_.pairs) {
@@ -97,6 +101,10 @@ PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   return {base.after(found.time), found.kind};
 }
 
+double LocatedWorld::allowed_overlap(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const {
+  return 1e-9 * std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff()) + touching_gap(shape(i), a, shape(j), b);
+}
+
 void LocatedWorld::meet(const Event& event) {
   const std::size_t i = event.i, j = event.j;
   const Moment now = event.at;
@@ -104,7 +112,7 @@ void LocatedWorld::meet(const Event& event) {
   LocatedImpact seen_a{i, now.value(), now.since(bodies_[i].start), bodies_[i].flight->start(), a, a}, seen_b{j, now.value(), now.since(bodies_[j].start), bodies_[j].flight->start(), b, b};
   const Separation apart = separation(shape(i), a, shape(j), b);
   const double smallest = std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff());
-  const double rounding = bodies_[i].rounding + bodies_[j].rounding, allowed = 1e-9 * smallest + touching_gap(shape(i), a, shape(j), b);
+  const double rounding = bodies_[i].rounding + bodies_[j].rounding, allowed = allowed_overlap(i, a, j, b);
   const char* trouble = event.found == PairContact::Kind::endless ? "a search of a hundred thousand advances found no end"
                         : event.found == PairContact::Kind::blurred ? too_coarse
                         : apart.gap < -allowed - rounding ? "begins inside another cuboid"

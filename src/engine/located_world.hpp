@@ -142,6 +142,8 @@ class LocatedWorld {
 
   /// Two cuboids touch now: the manifold's approaching points are hit at their mean, until none approaches.
   void meet(const Event& event);
+  /// How deep two may be in one another and still touch, m: a billionth of the smallest edge, and what roundings of places make.
+  double allowed_overlap(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const;
   double last_meeting_at(std::size_t i, std::size_t j) const;
   bool hit_pair(std::size_t i, State<double>& a, std::size_t j, State<double>& b, const Separation& apart, double smallest);
 

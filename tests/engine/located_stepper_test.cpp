@@ -1,0 +1,175 @@
+// Cuboids in the stepper, whose steps are seconds long here: what a step would carry past each other is found within it, and the step
+// ends a quarter of the thinnest edge later. Times from closed forms.
+#include <gtest/gtest.h>
+
+#include <rigor/engine/located.hpp>
+#include <rigor/linalg/rotation.hpp>
+#include <rigor/scene/simulate.hpp>
+
+namespace rigor {
+namespace {
+
+constexpr double fall = 9.81;
+
+// One cuboid begins a thousandth inside a wall, along which it moves, and so is in the stepper; the other flies.
+struct StepperScene {
+  Scene scene;
+  StepperScene(const Vec3<double>& gravity, double dt, double until) {
+    scene.method = "located", scene.gravity = gravity, scene.dt = dt, scene.until = until;
+    scene.surface = *Surface<double>::make(0.5, 0, 0);
+  }
+  void wall(const Vec3<double>& at, const Vec3<double>& n) { scene.planes.push_back(*Plane<double>::make(at, n)); }
+  void add(const Vec3<double>& size, const Vec3<double>& p, const Vec3<double>& v, const Vec3<double>& w = zero3<double>()) {
+    State<double> s;
+    s.p_WB = p, s.v_WB = v, s.w_WB = w;
+    scene.bodies.push_back({*Cuboid<double>::make(2, size), s});
+  }
+  RunSummary run() {
+    const auto done = simulate_located(scene, [](double, const auto&) {});
+    EXPECT_TRUE(done);
+    return *done;
+  }
+  // When the second of them to be handed over is: at the end of the part of the step in which they meet.
+  double joined() {
+    const RunSummary summary = run();
+    if (summary.handed_over.size() < 2) return -1;
+    EXPECT_EQ(summary.handed_over[1].why, std::string("met a cuboid in the stepper"));
+    return summary.handed_over[1].from;
+  }
+};
+const Vec3<double> unit_cube(1, 1, 1), in_wall(0.499, 0, 0);
+
+// Both fall; one comes from 13 m below at 12.5 m/s and is met at (13 - 1)/12.5 s. A step's end is a quarter of an edge later.
+TEST(LocatedPairs, AFallWithinAStepIsWatched) {
+  for (const auto& [below, speed] : {std::pair{13., 12.5}, {6., 8.}})
+    for (const bool flying_first : {false, true}) {
+      StepperScene s(Vec3<double>(0, -fall, 0), 1, 0.99);
+      s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+      if (!flying_first) s.add(unit_cube, in_wall, zero3<double>());
+      s.add(unit_cube, Vec3<double>(0.6, -below, 0), Vec3<double>(0, speed, 0));
+      if (flying_first) s.add(unit_cube, in_wall, zero3<double>());
+      EXPECT_NEAR(s.joined(), (below - 1) / speed + 1 / (4 * speed), 1e-9);
+      EXPECT_EQ(s.run().ledger.pair_impacts, 1) << "pushed apart at once, whichever is the first";
+    }
+}
+
+// The second step: the flight began a step before it. From above and from below at 15 m/s, 15.4 m apart when the step begins.
+TEST(LocatedPairs, AFlightThatBeganEarlierIsWatchedFromWhereItIs) {
+  for (const double side : {1., -1.}) {
+    StepperScene s(Vec3<double>(0, -fall, 0), 1, 1.99);
+    s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+    s.add(unit_cube, in_wall, zero3<double>());
+    s.add(unit_cube, Vec3<double>(0.6, side * 30.4, 0), Vec3<double>(0, -side * 15, 0));
+    EXPECT_NEAR(s.joined(), 1 + 14.4 / 15 + 1 / (4 * 15.), 1e-9) << side;
+  }
+}
+
+// Onto one at rest: it falls 1.5 m. The speed that bounds the rest of the step is the fall's at its end, g h.
+TEST(LocatedPairs, AFallOntoOneAtRestIsWatched) {
+  StepperScene s(Vec3<double>(0, -fall, 0), 1, 0.99);
+  s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+  s.wall(Vec3<double>(0, -3, 0), Vec3<double>(0, 1, 0));
+  s.add(unit_cube, in_wall, zero3<double>());
+  s.add(unit_cube, Vec3<double>(0.6, -2.5, 0), zero3<double>());
+  EXPECT_NEAR(s.joined(), std::sqrt(2 * 1.5 / fall) + 1 / (4 * fall), 1e-9);
+}
+
+// A rod passes another with 5 cm of its end; rods meet end to end shortly before a step is over.
+TEST(LocatedPairs, RodsThatMeetByTheirEndsAreWatched) {
+  StepperScene past(zero3<double>(), 1, 0.99), ends(zero3<double>(), 1, 0.99);
+  const Vec3<double> upright(0.2, 0.3, 2.9), along(2.9, 0.3, 0.2);
+  past.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  past.add(upright, Vec3<double>(0, 0.149, 0), Vec3<double>(8, 0, 0));
+  past.add(upright, Vec3<double>(6, 0.2, 2.85), zero3<double>());
+  EXPECT_NEAR(past.joined(), 5.8 / 8 + 0.2 / (4 * 8), 1e-9);
+  ends.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  ends.add(along, Vec3<double>(0, 0.149, 0), Vec3<double>(8, 0, 0));
+  ends.add(along, Vec3<double>(2.9 + 7.76, 0.2, 0), zero3<double>());
+  EXPECT_NEAR(ends.joined(), 0.97 + 0.2 / (4 * 8), 1e-9);
+}
+
+// A rod turns by 1.9 mrad a step against a plate of 2 cm, 1 mm above it. Its spin is bounded by its energy, as if all of it were about
+// the axis it turns about most easily; the speed of its corners by that, 12 mm/s.
+TEST(LocatedPairs, ATurnWithinAStepIsWatched) {
+  StepperScene s(zero3<double>(), 1, 1.5);
+  const Vec3<double> rod(2.8, 0.5, 0.4);
+  const double bound = 8.5e-3, spin = bound * std::sqrt((0.5 * 0.5 + 0.4 * 0.4) / (2.8 * 2.8 + 0.5 * 0.5)), fastest = bound * norm<double>(rod) / 2;
+  s.wall(zero3<double>(), Vec3<double>(0, 0, 1));
+  s.add(rod, Vec3<double>(0, 0, 0.199), zero3<double>(), Vec3<double>(0, 0, spin));
+  s.add(Vec3<double>(1, 0.02, 1), Vec3<double>(1.4, 0.25 + 0.001 + 0.01, 0.6), zero3<double>());
+  // the corner (1.4, 0.25) is at 0.251 where 1.4 sin a + 0.25 cos a = 0.251
+  const double size = std::hypot(1.4, 0.25), angle = std::asin(0.251 / size) - std::atan2(0.25, 1.4);
+  EXPECT_NEAR(s.joined(), angle / spin + 0.02 / (4 * fastest), 1e-7);
+}
+
+// Corner past corner: the tips of two diagonals overlap by 2e-4 of a diagonal. They have parted when a part would end, yet the search
+// was made, and its advances are counted.
+TEST(LocatedPairs, TipsThatPassAreLookedAt) {
+  const double diagonal = std::sqrt(3.0);
+  const Mat3<double> up = exp_so3<double>(Vec3<double>(std::atan(std::sqrt(2.0)) / std::sqrt(2.0), -std::atan(std::sqrt(2.0)) / std::sqrt(2.0), 0));  // turns (1, 1, 1) to z
+  StepperScene s(zero3<double>(), 1, 0.99);
+  s.wall(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
+  s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
+  s.scene.bodies[0].start.R_WB = up;
+  const long alone = s.run().steps;
+  s.add(unit_cube, Vec3<double>(4, 0, 0.9998 * diagonal), zero3<double>());
+  s.scene.bodies[1].start.R_WB = up;
+  EXPECT_NEAR(apply<double>(up, Vec3<double>(1, 1, 1))[2], diagonal, 1e-14);
+  EXPECT_GT(s.run().steps, alone);
+}
+
+// It leaves the plane with its first step; ten steps in which it met nothing later it flies, at first and the next time.
+TEST(LocatedPairs, FliesAfterTenStepsThatMetNothing) {
+  StepperScene s(zero3<double>(), 0.01, 1);
+  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  s.add(unit_cube, Vec3<double>(0, 0.49, 0), Vec3<double>(0, 10, 0));
+  const RunSummary once = s.run();
+  ASSERT_EQ(once.handed_over.size(), 1u);
+  EXPECT_NEAR(once.handed_over[0].to, 0.1, 1e-15);
+
+  // out of the floor at 2 m/s, back after 0.4 s, spinning on a rough floor; the bounce that is left takes four steps of a microsecond
+  StepperScene twice(Vec3<double>(0, -fall, 0), 1e-6, 4 / fall + 1e-4);
+  twice.scene.surface = *Surface<double>::make(1e-5, 0.5, 0.5);
+  twice.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  twice.add(unit_cube, Vec3<double>(0, 0.5 - 1e-6, 0), Vec3<double>(0, 2, 0), Vec3<double>(0, 1, 0));
+  const RunSummary again = twice.run();
+  ASSERT_EQ(again.handed_over.size(), 2u);
+  EXPECT_EQ(again.handed_over[1].times, 1) << again.handed_over[1].why;
+}
+
+// The run says so when a number leaves the range, at once: before a step, and in one.
+TEST(LocatedPairs, ANumberThatLeavesTheRangeEndsTheRun) {
+  StepperScene at_once(zero3<double>(), 10, 1);  // an impulse of 1.5e350 kg m/s
+  at_once.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  at_once.add(unit_cube, Vec3<double>(0, 0.5, 0), Vec3<double>(0, -1e150, 0));
+  at_once.scene.bodies[0].shape = *Cuboid<double>::make(1e200, unit_cube);
+  const RunSummary summary = at_once.run();
+  ASSERT_EQ(summary.handed_over.size(), 1u);
+  EXPECT_EQ(summary.handed_over[0].why, std::string("a number left the range of double"));
+  EXPECT_FALSE(summary.finite);
+  StepperScene in_a_step(zero3<double>(), 10, 15);
+  in_a_step.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+  in_a_step.add(unit_cube, in_wall, Vec3<double>(0, 1.7e308, 0));
+  EXPECT_FALSE(in_a_step.run().finite);
+}
+
+// Two at rest on a floor: one inside the other is told, side by side they rest.
+TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
+  for (const double apart : {0.5, 1 - 1e-6, 1., 1.25}) {
+    StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
+    s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+    s.add(unit_cube, Vec3<double>(0, 0.5, 0), zero3<double>());
+    s.add(unit_cube, Vec3<double>(apart, 0.5, 0.125), zero3<double>());
+    const RunSummary summary = s.run();
+    if (apart >= 1) {
+      EXPECT_TRUE(summary.handed_over.empty()) << apart;
+    } else {
+      ASSERT_EQ(summary.handed_over.size(), 2u) << apart;
+      EXPECT_EQ(summary.handed_over[0].why, std::string("begins inside another cuboid"));
+      EXPECT_EQ(summary.handed_over[0].from, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rigor
