@@ -34,7 +34,7 @@ struct RunOptions {
   bool json = false, quiet = false, explain = false;
 };
 
-int bad_input(const Fault& fault) { return refused("run", fault.text()); }
+int refuse_run(const Fault& fault) { return refused("run", fault.text()); }
 
 using studies::brief;
 constexpr std::size_t most_shown = 10;  // of a list, on a terminal
@@ -158,30 +158,30 @@ Outcome<std::vector<Scene>> beside(const Scene& scene, const RunOptions& options
 }
 
 int run_command(const RunOptions& options) {
-  if (options.scene.empty()) return bad_input({Fault::Kind::missing, "SCENE", "is empty, must be a file or a built-in scene"});
-  if (options.out && options.out->empty()) return bad_input({Fault::Kind::missing, "--out", "is empty, must be a directory"});
+  if (options.scene.empty()) return refuse_run({Fault::Kind::missing, "SCENE", "is empty, must be a file or a built-in scene"});
+  if (options.out && options.out->empty()) return refuse_run({Fault::Kind::missing, "--out", "is empty, must be a directory"});
   auto opened = open_scene(options.scene, options.seed);
-  if (!opened) return bad_input(opened.fault());
+  if (!opened) return refuse_run(opened.fault());
   Scene scene = *opened;
   if (options.method) scene.method = *options.method;
   if (options.dt) scene.dt = *options.dt;
   if (options.until) scene.until = *options.until;
   if (options.every) scene.every = *options.every;
-  if (const auto ok = check_scene(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
+  if (const auto ok = check_scene(scene); !ok) return refuse_run({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
   const auto others = beside(scene, options);
-  if (!others) return bad_input(others.fault());
+  if (!others) return refuse_run(others.fault());
 
   TrajectoryCsv csv;
   const bool keep = options.out.has_value();
   if (keep)
-    if (const auto ok = check_rows(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
+    if (const auto ok = check_rows(scene); !ok) return refuse_run({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
   Skips wanted;
   wanted.monitors = options.quiet && !options.json && !keep;
   const auto skips = without(wanted, options.no_skip);
-  if (!skips) return bad_input({skips.fault().kind, "--" + skips.fault().where, skips.fault().what});
+  if (!skips) return refuse_run({skips.fault().kind, "--" + skips.fault().where, skips.fault().what});
   std::vector<view::Recording> recordings;
   const auto record = [&](const Scene& one) { return keep ? &recordings.emplace_back(one, one.method) : nullptr; };
-  const auto unfit = [&](const Fault& fault) { return bad_input({fault.kind, options.scene + ": " + fault.where, fault.what}); };  // the method knows not all of it
+  const auto unfit = [&](const Fault& fault) { return refuse_run({fault.kind, options.scene + ": " + fault.where, fault.what}); };  // the method knows not all of it
   Progress progress(!options.quiet, " %");
   const auto seconds_since = [](std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   const auto start = std::chrono::steady_clock::now();
@@ -210,7 +210,7 @@ int run_command(const RunOptions& options) {
     else
       std::fprintf(stderr, "rigor run: no replay.html: %s\n", page.fault().text().c_str());
     for (const auto& [name, text] : files) {
-      if (const auto written = write_file(std::filesystem::path(*options.out) / name, text); !written) return bad_input(written.fault());
+      if (const auto written = write_file(std::filesystem::path(*options.out) / name, text); !written) return refuse_run(written.fault());
       written_names.push_back(name);
     }
   }

@@ -34,7 +34,7 @@ struct StudyOptions {
   bool all_peers = false, resume = false, json = false, quiet = false;
 };
 
-int bad_input(const std::string& text) { return refused("study", text); }
+int refuse_study(const std::string& text) { return refused("study", text); }
 
 std::string study_json(const std::vector<studies::Row>& rows, const std::string& command, std::size_t cells) {
   nlohmann::ordered_json json{{"schema", "rigor.study/2"}, {"command", command}, {"machine", studies::machine()}, {"cells", cells}, {"finished", rows.size()},
@@ -89,29 +89,29 @@ std::vector<std::string> installed_peers() {
 
 int study_command(const StudyOptions& options) {
   studies::StudyRequest request = options.request;
-  if (options.resume && options.out.empty()) return bad_input("--resume: needs --out, where the finished cells lie");
-  if (options.all_peers && !request.peers.empty()) return bad_input("--peers and --peer: both choose the peers");
+  if (options.resume && options.out.empty()) return refuse_study("--resume: needs --out, where the finished cells lie");
+  if (options.all_peers && !request.peers.empty()) return refuse_study("--peers and --peer: both choose the peers");
   if (options.all_peers) request.peers = installed_peers();
-  if (options.all_peers && request.peers.empty()) return bad_input("--peers: none of their programs is there");
+  if (options.all_peers && request.peers.empty()) return refuse_study("--peers: none of their programs is there");
   std::optional<studies::Student> student;
   if (!options.submission.empty()) {
     const auto made = studies::Student::make(options.submission);
-    if (!made) return bad_input("--submission: " + made.fault().text());
+    if (!made) return refuse_study("--submission: " + made.fault().text());
     student = *made;
     request.submission = student->name();
   }
   const auto cells = unless_interrupted([&] { return studies::plan(request); }, "rigor study: interrupted before anything was measured", "making the references of the problems in 60 digits", !options.quiet);
-  if (!cells) return bad_input(cells.fault().text());
+  if (!cells) return refuse_study(cells.fault().text());
   const auto of_student = [&](const studies::Cell& cell) { return student && cell.method == student->name(); };
   if (options.jobs > 0 && std::all_of(cells->begin(), cells->end(), [&](const studies::Cell& cell) { return cell.timed() || of_student(cell); }))
-    return bad_input("--jobs: the runs of " + request.kind + " are timed, one after another");
+    return refuse_study("--jobs: the runs of " + request.kind + " are timed, one after another");
   if (!options.out.empty()) {  // before anything is measured: can it be written, and over nothing but a study?
     if (const auto theirs = not_of_a_study(options.out); !theirs.empty())
-      return bad_input("--out: " + theirs + " is there and no study wrote it; give another directory");
-    if (const auto fault = studies::other_study(options.out, *cells)) return bad_input("--out: " + fault->text());
+      return refuse_study("--out: " + theirs + " is there and no study wrote it; give another directory");
+    if (const auto fault = studies::other_study(options.out, *cells)) return refuse_study("--out: " + fault->text());
     std::string list;
     for (const studies::Cell& cell : *cells) list += cell.file() + "  " + cell.text() + "\n";
-    if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return bad_input("--out: " + written.fault().text());
+    if (const auto written = write_file(fs::path(options.out) / "cells.txt", list); !written) return refuse_study("--out: " + written.fault().text());
   }
 
   const auto measure = [&](const studies::Cell& cell) {
@@ -125,13 +125,13 @@ int study_command(const StudyOptions& options) {
   const studies::RunOptions run{options.jobs > 0 ? options.jobs : std::max(1, int(std::thread::hardware_concurrency())), options.out, options.resume,
                                 [&](long done, long of) { progress(done, of); }};
   const auto rows = studies::run_cells(*cells, measure, of_student, run);
-  if (!rows) return bad_input(rows.fault().text());
+  if (!rows) return refuse_study(rows.fault().text());
   if (interrupted() != 0) std::fprintf(stderr, "rigor study: interrupted with %zu of %zu cells finished%s\n", rows->size(), cells->size(), options.out.empty() ? "" : "; go on with --resume");
   const studies::StudyPage page = studies::study_page(request.kind, *rows, options.command, cells->size());
   std::vector<std::string> files;
   if (!options.out.empty()) {
     const auto written = write_all(options.out, *rows, page, cells->size());
-    if (!written) return bad_input("--out: " + written.fault().text());
+    if (!written) return refuse_study("--out: " + written.fault().text());
     files = *written;
     if (!rows->empty()) files.push_back("cells");
   }

@@ -19,14 +19,14 @@ struct ViewOptions {
   unsigned short port = 0;
 };
 
-int bad_input(const Fault& fault) { return refused("view", fault.text()); }
+int refuse_view(const Fault& fault) { return refused("view", fault.text()); }
 
 int view_command(const ViewOptions& options) {
   auto opened = open_scene(options.scene, options.seed);
-  if (!opened) return bad_input(opened.fault());
+  if (!opened) return refuse_view(opened.fault());
   Scene scene = *opened;
   if (!options.method.empty()) scene.method = options.method;
-  if (const auto ok = check_scene(scene); !ok) return bad_input({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
+  if (const auto ok = check_scene(scene); !ok) return refuse_view({ok.fault().kind, "--" + ok.fault().where, ok.fault().what});
   const auto names = builtin_scenes();
   const bool built_in = std::find(names.begin(), names.end(), options.scene) != names.end();
   const auto reseed = [&](std::uint64_t seed) {  // a file's scene has no other random numbers than the vacuum's offsets
@@ -35,14 +35,14 @@ int view_command(const ViewOptions& options) {
     return next;
   };
   auto live = live::LiveScene::make(scene, reseed);
-  if (!live) return bad_input(live.fault());
+  if (!live) return refuse_view(live.fault());
   const auto page_for = [&](unsigned short port) {
     const std::string number = std::to_string(port);
     return view::render({"live", std::filesystem::path(scene.name).filename().string(), "live: what is pressed and pulled here happens in the simulation",
                          "ws://127.0.0.1:" + number + " ws://localhost:" + number, {{"schema", "rigor.live/1"}}});
   };
   auto server = live::Server::open(std::move(live).value(), options.port, page_for);
-  if (!server) return bad_input(server.fault());
+  if (!server) return refuse_view(server.fault());
   std::printf("%s\n  space starts and stops, r vacuum, g gravity, n a new seed; Ctrl-C ends\n", (*server)->address().c_str());
   std::fflush(stdout);
   (*server)->run([] { return interrupted() != 0; });

@@ -20,7 +20,7 @@ namespace rigor::grader {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using UnorderedJson = nlohmann::json;
 using Kind = FunctionStatus::Kind;
 
 constexpr int most_rounds = 40;
@@ -186,8 +186,8 @@ class Builder {
 
 // ---- A result kept: the same submission is not looked at twice
 
-Json json_of(const BuildResult& r) {
-  Json functions = Json::array();
+UnorderedJson json_of(const BuildResult& r) {
+  UnorderedJson functions = UnorderedJson::array();
   for (const FunctionStatus& f : r.functions) functions.push_back({int(f.kind), f.error});
   return {{"executable", r.executable.string()}, {"functions", functions}, {"own_constants", r.own_constants},
           {"notes", r.notes}};
@@ -196,7 +196,7 @@ Json json_of(const BuildResult& r) {
 bool read_kept(const fs::path& path, BuildResult& r) {
   const auto text = read_file(path);
   if (!text) return false;
-  const Json kept = Json::parse(*text, nullptr, false);
+  const UnorderedJson kept = UnorderedJson::parse(*text, nullptr, false);
   if (kept.is_discarded()) return false;
   r.executable = kept["executable"].get<std::string>();
   std::error_code ec;

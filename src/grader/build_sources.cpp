@@ -12,7 +12,7 @@ namespace {
 using Kind = FunctionStatus::Kind;
 
 constexpr std::size_t longest_error = 400;
-constexpr const char* classes[] = {"Cuboid", "CollisionPlane", "ParticleSystem", "MatrixUtils"};
+constexpr const char* class_names[] = {"Cuboid", "CollisionPlane", "ParticleSystem", "MatrixUtils"};
 
 /// What Visual C++ lets pass and the standard does not, said in the student's terms.
 std::string with_hint(const std::string& message) {
@@ -38,7 +38,7 @@ std::string tokens_in_line(std::string_view text) {
 Source from_kit(const std::string& name) { return {name, kit_text("handout/" + name), false}; }
 
 std::string kit_body(const std::string& function) {
-  for (const std::string c : classes) {
+  for (const std::string c : class_names) {
     const std::string text = kit_text("handout/" + c + ".cpp");
     for (const Definition& d : definitions_of(text))
       if (d.name == function) return text.substr(d.body, d.end - d.body);
@@ -75,7 +75,7 @@ Sources::Sources(const Submission& submission, const std::set<StudentFunction>& 
 }
 
 void Sources::bring_in(const Submission& s) {
-  for (const std::string c : classes)
+  for (const std::string c : class_names)
     for (const std::string ending : {".h", ".cpp"}) {
       const SourceFile* file = s.find(c + ending);
       sources_[c + ending] = file ? Source{file->path, file->text} : from_kit(c + ending);
@@ -147,7 +147,7 @@ void Sources::look_at_functions(const std::set<StudentFunction>& replaced) {
       source->text = with_body(source->text, definition, handed_out_body(f));
     }
   }
-  for (const std::string c : classes) complete(c);
+  for (const std::string c : class_names) complete(c);
 }
 
 void Sources::complete(const std::string& c) {
@@ -301,7 +301,7 @@ bool Sources::give_up(const std::string& name, const Diagnostic& e) {
     source = from_kit(name);
   else
     sources_.erase(name);
-  for (const std::string c : classes)
+  for (const std::string c : class_names)
     if (name == c + ".h") complete(c);
   return true;
 }
@@ -309,7 +309,7 @@ bool Sources::give_up(const std::string& name, const Diagnostic& e) {
 bool Sources::repair_headers(const std::string& output) {
   for (const bool all : {false, true}) {
     bool changed = false;
-    for (const std::string c : classes) {
+    for (const std::string c : class_names) {
       const bool named = output.find("class " + c + "'") != output.npos || output.find(c + "::") != output.npos ||
                          output.find(c + ".h") != output.npos;
       if (named || all) changed |= give_up(c + ".h", {c + ".h", 0, last_error_, ""});

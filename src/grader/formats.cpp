@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 std::string written(const Json& json, int indent = -1) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
-std::string number(double x) {
+std::string ten_digits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", x);
   return text;
@@ -28,7 +28,7 @@ std::string words(const CheckResult& r) {
   text += "\nsmallest failing case:";
   for (const auto& [what, value] : named_inputs(*r.counterexample)) text += "\n  " + what + " = " + value;
   for (const Component& c : r.counterexample->judgement.components)
-    if (!(std::abs(c.got - c.want) <= c.bound) || &c == worst(*r.counterexample)) text += "\n  " + c.name + " [" + c.unit + "]: got " + number(c.got) + ", want " + number(c.want);
+    if (!(std::abs(c.got - c.want) <= c.bound) || &c == worst(*r.counterexample)) text += "\n  " + c.name + " [" + c.unit + "]: got " + ten_digits(c.got) + ", want " + ten_digits(c.want);
   return text;
 }
 std::string replay(const Report& report, const CheckResult& r) {

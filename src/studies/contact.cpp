@@ -121,13 +121,13 @@ Reading incline() {
           [=] { return std::fabs(*last - a * t * t / 2); }};
 }
 
-struct Recipe {
+struct ContactRecipe {
   ContactProblem problem;
   Reading (*make)(double x);
 };
-const std::vector<Recipe>& recipes() {
+const std::vector<ContactRecipe>& contact_recipes() {
   static const std::vector<double> eighths{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1};
-  static const std::vector<Recipe> all{
+  static const std::vector<ContactRecipe> all{
       {{"p-01-one", "case P-01 through one impact: a cube falls 1 m onto its corner, the centre straight above, g = 9.81, e = 0.8; height at t = 0.8 s", "free fall, the speed times e at t1 = sqrt(2H/g)", "m", "restitution", {0.8}},
        [](double e) { return bounce(0.8, e); }},
       {{"p-01-many", "case P-01 through nine impacts: the same at t = 3.5 s", "free falls with speeds u e^n between t1 (1 + 2e + 2e^2 + ...)", "m", "restitution", {0.8}},
@@ -152,7 +152,7 @@ const std::vector<Recipe>& recipes() {
 const std::vector<ContactProblem>& contact_problems() {
   static const std::vector<ContactProblem> all = [] {
     std::vector<ContactProblem> problems;
-    for (const Recipe& r : recipes()) problems.push_back(r.problem);
+    for (const ContactRecipe& r : contact_recipes()) problems.push_back(r.problem);
     return problems;
   }();
   return all;
@@ -160,8 +160,8 @@ const std::vector<ContactProblem>& contact_problems() {
 
 Row contact(const Cell& cell, Student* student) {
   Row row{cell, {}, "", ""};
-  const Recipe* recipe = nullptr;
-  for (const Recipe& r : recipes())
+  const ContactRecipe* recipe = nullptr;
+  for (const ContactRecipe& r : contact_recipes())
     if (r.problem.name == cell.problem) recipe = &r;
   promise(recipe != nullptr, "a contact cell names a problem of contact_problems()");
   Reading reading = recipe->make(cell.x);

@@ -12,7 +12,6 @@ namespace rigor {
 namespace {
 
 using V = Vec3<double>;
-constexpr double pi = std::numbers::pi;
 
 struct Ended {
   RunSummary summary;
@@ -162,7 +161,7 @@ TEST(Located, FindsTheSameRootFromWhereverACornerHandsOver) {
   int at_the_root = 0, between = 0;
   for (int k = 0; k < 60; ++k) {
     // the first ten: wt is a multiple of a right angle when the face or the edge lies on the plane
-    const double t_kink = 0.5, w = k < 10 ? (k + 1) * pi / 2 / t_kink : 0.7 + 0.31 * k;
+    const double t_kink = 0.5, w = k < 10 ? (k + 1) * std::numbers::pi / 2 / t_kink : 0.7 + 0.31 * k;
     const double h = k < 10 ? g * t_kink * t_kink / 2 + (k % 2 == 0 ? a : b) : 1 + 0.05 * k;
     const auto gap = [&](long double t) { return h - g * t * t / 2 - a * std::fabs(std::sin(w * t)) - b * std::fabs(std::cos(w * t)); };
     if (gap(0) <= 0) continue;
@@ -170,7 +169,7 @@ TEST(Located, FindsTheSameRootFromWhereverACornerHandsOver) {
     for (int n = 1; high == 0; ++n)
       if (gap(n * 1e-5L) <= 0) low = (n - 1) * 1e-5L, high = n * 1e-5L;
     for (int n = 0; n < 60; ++n) (gap((low + high) / 2) <= 0 ? high : low) = (low + high) / 2;
-    const double root = double(high), right_angles = w * root / (pi / 2);
+    const double root = double(high), right_angles = w * root / (std::numbers::pi / 2);
     at_the_root += std::fabs(right_angles - std::round(right_angles)) < 1e-9;
     between += int(right_angles);
     State<double> start;
@@ -215,7 +214,7 @@ TEST(Located, AFlatSlideStopsWhereItShouldInEveryDirection) {
   for (int k = 0; k < 16; ++k) {
     State<double> start = above(0.125);
     start.R_WB = exp_so3<double>(V(0, 0.3, 0));
-    const V along(std::cos(k * pi / 8), 0, std::sin(k * pi / 8));
+    const V along(std::cos(k * std::numbers::pi / 8), 0, std::sin(k * std::numbers::pi / 8));
     start.v_WB = v * along;
     const Ended end = run(one({0.5, 0.25, 1}, start, 0.5, mu, 2, g));
     const V moved = end.states.back().p_WB - start.p_WB;
@@ -306,7 +305,7 @@ TEST(Located, AnInclineIsHeldUpToTheFrictionAngleExactly) {
   for (int k = 0; k < 16; ++k)
     for (const double part : {0.5, 1 - 1e-10, 1 + 1e-10, 1.2}) {
       const double slope = std::atan(mu) * part;
-      const V downhill(std::cos(k * pi / 8), 0, std::sin(k * pi / 8));
+      const V downhill(std::cos(k * std::numbers::pi / 8), 0, std::sin(k * std::numbers::pi / 8));
       Scene s = one({0.5, 0.25, 1}, above(0.125), 1, mu, 10, g);
       s.gravity = g * (std::sin(slope) * downhill - std::cos(slope) * V(0, 1, 0));
       const Ended end = run(s);

@@ -10,7 +10,7 @@ namespace rigor::grader {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path samples = fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions";
+const fs::path submissions = fs::path(RIGOR_SOURCE_DIR) / "tests" / "submissions";
 
 std::vector<fs::path> directories(const fs::path& in) {
   std::vector<fs::path> list;
@@ -38,7 +38,7 @@ Report graded(const fs::path& directory, int cases, std::uint64_t seed) {
 }
 
 TEST(Samples, RightOnesGetFullMarksAtAnySeed) {
-  for (const fs::path& directory : directories(samples / "right"))
+  for (const fs::path& directory : directories(submissions / "right"))
     for (const std::uint64_t seed : {20260414u, 5u}) {
       const Report report = graded(directory, 200, seed);
       EXPECT_EQ(report.score, 100) << report_text(report, false);
@@ -46,7 +46,7 @@ TEST(Samples, RightOnesGetFullMarksAtAnySeed) {
 }
 
 TEST(Samples, EachWrongOneFailsExactlyTheChecksItShould) {
-  for (const fs::path& directory : directories(samples / "wrong")) {
+  for (const fs::path& directory : directories(submissions / "wrong")) {
     const Report report = graded(directory, 60, 20260414);
     std::set<std::string> failed;
     for (const CheckResult& r : report.results)
@@ -56,7 +56,7 @@ TEST(Samples, EachWrongOneFailsExactlyTheChecksItShould) {
 }
 
 TEST(Samples, TheKitAsHandedOutHasNothingAndIsRecognised) {
-  const Report report = graded(samples / "kit", 20, 20260414);
+  const Report report = graded(submissions / "kit", 20, 20260414);
   EXPECT_EQ(report.score, 0);
   for (const CheckResult& r : report.results) EXPECT_EQ(r.verdict, Verdict::not_implemented) << r.check->id;
 }

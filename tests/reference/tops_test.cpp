@@ -16,7 +16,7 @@ using V = Vec3<double>;
 Rhs top(const V& I, const V& P) {
   return [=](double, std::span<const double> y, std::span<double> d) {
     const V w(y[0], y[1], y[2]), g(y[3], y[4], y[5]);
-    const V torque = cross<double>(V(I.cwiseProduct(w)), w) - cross<double>(P, g), turn = cross<double>(g, w);
+    const V torque = rigor::cross<double>(V(I.cwiseProduct(w)), w) - rigor::cross<double>(P, g), turn = rigor::cross<double>(g, w);
     for (std::size_t i = 0; i < 3; ++i) d[i] = torque[int(i)] / I[int(i)], d[3 + i] = turn[int(i)];
   };
 }

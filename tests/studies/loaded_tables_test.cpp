@@ -26,11 +26,11 @@ struct Line {
   V answer(const std::string& name) const { return V(number(name + "x"), number(name + "y"), number(name + "z")); }
   Mat3<double> attitude() const { return rotation_of<double>(Vec4<double>(number("qw"), number("qx"), number("qy"), number("qz"))); }
 };
-std::string table(const std::string& name) { return *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables" / (name + ".csv")); }
+std::string loaded_table(const std::string& name) { return *read_file(std::filesystem::path(RIGOR_SOURCE_DIR) / "reference/tables" / (name + ".csv")); }
 std::vector<Line> lines_of(const std::string& name) {
   std::vector<Line> all;
   std::vector<std::string> header;
-  std::istringstream in(table(name));
+  std::istringstream in(loaded_table(name));
   for (std::string text; std::getline(in, text);) {
     if (text.front() == '#') continue;
     std::vector<std::string> c;
@@ -80,7 +80,7 @@ Answer by_cvode(const Line& c) {
 TEST(LoadedFlightTable, AgreesWithCvode) {
   std::string csv = header;
   for (const Line& c : lines_of("loaded-flight")) csv += answer_line(c.id(), by_cvode(c));
-  const auto rows = check_table(table("loaded-flight"), csv, "cvode");
+  const auto rows = check_table(loaded_table("loaded-flight"), csv, "cvode");
   ASSERT_TRUE(rows) << rows.fault().text();
   std::fputs(table_text(*rows).c_str(), stdout);
   EXPECT_EQ(rows->size(), 8u);
@@ -130,7 +130,7 @@ TEST(ImpactTable, AgreesWithLocatedMode) {
     const State<double>& after = seen[0].after;
     csv += answer_line(c.id(), {after.R_WB, apply_transposed<double>(after.R_WB, after.w_WB), seen[0].t, after.v_WB});
   }
-  const auto rows = check_table(table("impacts"), csv, "located");
+  const auto rows = check_table(loaded_table("impacts"), csv, "located");
   ASSERT_TRUE(rows) << rows.fault().text();
   std::fputs(table_text(*rows).c_str(), stdout);
   for (const TableRow& row : *rows) {
@@ -140,10 +140,10 @@ TEST(ImpactTable, AgreesWithLocatedMode) {
   // a tenth of a millionth in one time is seen, and where
   std::string wrong = header;
   for (const Line& c : lines_of("impacts")) wrong += answer_line(c.id(), {c.attitude(), c.answer("w"), c.number("time") * (c.id() == "plate-2" ? 1 + 1e-7 : 1), c.answer("v")});
-  const auto checked = check_table(table("impacts"), wrong, "wrong");
+  const auto checked = check_table(loaded_table("impacts"), wrong, "wrong");
   ASSERT_TRUE(checked);
   for (const TableRow& row : *checked) EXPECT_NEAR(row.time, row.stratum == "plate" ? 1e-7 : 0, 1e-12);
-  const auto without = check_table(table("impacts"), "case,qw,qx,qy,qz,wx,wy,wz\n", "mine.csv");
+  const auto without = check_table(loaded_table("impacts"), "case,qw,qx,qy,qz,wx,wy,wz\n", "mine.csv");
   ASSERT_FALSE(without);
   EXPECT_EQ(without.fault().text(), "mine.csv has no column 'time'; needed: case, qw, qx, qy, qz, wx, wy, wz, time, vx, vy, vz");
 }
