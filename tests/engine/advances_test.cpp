@@ -224,6 +224,22 @@ TEST(PairAdvance, IsTheSpheresFromFarAway) {
   }
 }
 
+// Two that miss each other by less than what the flight to where they are nearest, 2^40 m off, will have rounded, 16 u of a metre for
+// each metre of a coordinate: no answer yet, and half the way there is gone, whichever flies.
+TEST(PairAdvance, IsHalfTheWayWhereRoundingsMayMakeThemMeet) {
+  const auto A = *Cuboid<double>::make(2, {2, 3, 6}), B = *Cuboid<double>::make(1, {1, 2, 2});
+  const double far = 0x1p40, growth = 16 * 0x1p-53 * far * 5 / 3;  // along (2, 1, -2)/3
+  for (const double speed : {4., 0x1p-42})
+    for (const bool first_flies : {true, false}) {
+      State<double> still, flies;
+      still.R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3)), still.p_WB = V(0.5, -1, 2);
+      flies.p_WB = still.p_WB + far * V(2, 1, -2) / 3 + (3.5 + 1.5 + 1.5 * growth) * V(1, 2, 2) / 3, flies.v_WB = -speed * V(2, 1, -2) / 3;
+      const Flight a(A, first_flies ? flies : still, zero3<double>()), b(B, first_flies ? still : flies, zero3<double>());
+      const auto advances = [&](double limit) { return next_pair_contact(A, a, 0, B, b, 0, 0, limit).advances; };
+      EXPECT_NEAR(first_advance(0, far / speed, advances) / (far / speed / 2), 1, 1e-11) << speed << ' ' << first_flies;  // 4 m of 2^40
+    }
+}
+
 // 16 u of the distance, of half a diagonal of each and of every coordinate.
 TEST(PairAdvance, TouchingIsSixteenUnitsOfTheTermsOfAGap) {
   const auto A = *Cuboid<double>::make(2, {2, 3, 6}), B = *Cuboid<double>::make(1, {1, 2, 2});
