@@ -117,7 +117,7 @@ std::string same_failures(const std::vector<ClassRow>& rows) {
 }
 
 // What was counted, what it means, and a bar: most frequent first.
-std::string counted(const std::map<std::string, int>& counts, const std::string& what, const std::function<std::string(const std::string&)>& says) {
+std::string counts_table(const std::map<std::string, int>& counts, const std::string& what, const std::function<std::string(const std::string&)>& says) {
   if (counts.empty()) return "<p>None.</p>";
   const auto list = most_frequent(counts);
   std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + what + ", by number of students\"><table><thead><tr><th scope=\"col\">" + what +
@@ -222,9 +222,9 @@ std::string class_html(const std::vector<ClassRow>& rows, const Rubric& rubric, 
   }
   page.body += "<h2>Students</h2>" + list;
   page.body += "<h2>Scores</h2>" + histogram(rows);
-  page.body += "<h2>Most failed checks</h2>" + counted(failures, "check", check_says);
+  page.body += "<h2>Most failed checks</h2>" + counts_table(failures, "check", check_says);
   if (stubs > 0) page.body += "<p class=\"soft\">Functions left as they were handed out are not counted here; " + std::to_string(stubs) + (stubs == 1 ? " student has" : " students have") + " some.</p>";
-  page.body += "<h2>Misconceptions</h2>" + counted(named, "named", mistake_says);
+  page.body += "<h2>Misconceptions</h2>" + counts_table(named, "named", mistake_says);
   page.body += "<h2>The same failures</h2>" + same_failures(rows);
   const auto pairs = unfair(rows);
   page.body += "<h2>Fairness</h2><p>" + (pairs.empty() ? "Every two students were compared: no one has more points than a classmate after failing all the checks that classmate failed and at least one more."

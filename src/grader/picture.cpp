@@ -140,9 +140,9 @@ class Drawing {
 };
 
 // Arrows of one kind of quantity have lengths in proportion; the longest is as long as the largest body reaches.
-struct Kind {
+struct ArrowScale {
   double scale = 0;
-  Kind(double length, std::initializer_list<V> all) {
+  ArrowScale(double length, std::initializer_list<V> all) {
     double most = 0;
     for (const V& v : all) most = std::max(most, norm<double>(v));
     if (most > 0) scale = length / most;
@@ -174,15 +174,15 @@ std::string forced(const Scenario& s, bool at_point) {
   Drawing d(View(V(0, 1, 0), V(1, 0, 0), 0.55));
   const double reach = s.A.reach();
   d.box(s.A, blue);
-  const Kind speed(reach, {s.A.velocity}), turn(reach, {s.A.spin});
+  const ArrowScale speed(reach, {s.A.velocity}), turn(reach, {s.A.spin});
   if (at_point) {
     d.arrow(s.A.position, V(s.point - s.A.position), ink, "", true);
     d.label(V((s.A.position + s.point) / 2), "r");
-    d.arrow(s.point, Kind(reach, {s.vector})(s.vector), orange, "f");
+    d.arrow(s.point, ArrowScale(reach, {s.vector})(s.vector), orange, "f");
     d.dot_at(s.point, orange);
   } else {
-    d.arrow(s.A.position, Kind(reach, {s.A.force})(s.A.force), orange, "F");
-    d.arrow(s.A.position, Kind(reach, {s.A.torque})(s.A.torque), ochre, "τ");
+    d.arrow(s.A.position, ArrowScale(reach, {s.A.force})(s.A.force), orange, "F");
+    d.arrow(s.A.position, ArrowScale(reach, {s.A.torque})(s.A.torque), ochre, "τ");
     d.arrow(s.A.position, speed(s.A.velocity), teal, "v");
     d.arrow(s.A.position, turn(s.A.spin), violet, "ω");
   }
@@ -201,12 +201,12 @@ std::string plane(const Scenario& s, const V& contact) {
   d.area({V(foot + half * (a + b)), V(foot + half * (a - b)), V(foot - half * (a + b)), V(foot + half * (b - a))}, "fill=\"var(--s7)\" fill-opacity=\"0.16\" stroke=\"var(--soft)\"");
   d.box(s.A, blue);
   const V at_contact = point_velocity<double>(s.A.velocity, s.A.spin, V(contact - s.A.position));
-  const Kind speed(0.9 * reach, {s.A.velocity, at_contact}), turn(0.9 * reach, {s.A.spin});
+  const ArrowScale speed(0.9 * reach, {s.A.velocity, at_contact}), turn(0.9 * reach, {s.A.spin});
   d.arrow(s.A.position, speed(s.A.velocity), teal, "v");
   d.arrow(s.A.position, turn(s.A.spin), violet, "ω");
   d.arrow(contact, V(0.7 * reach * n), green, "n");
   d.arrow(contact, speed(at_contact), orange, "v_c");
-  d.arrow(s.A.position, Kind(0.9 * reach, {s.A.force})(s.A.force), ochre, "F");
+  d.arrow(s.A.position, ArrowScale(0.9 * reach, {s.A.force})(s.A.force), ochre, "F");
   d.dot_at(s.A.position, ink);
   d.dot_at(contact, orange);
   const std::string says = "The cuboid on the plane, drawn with the plane's normal n upwards; the contact (dot) with its velocity v_c, the velocity v of the centre and the spin ω. What is zero is left out.";
@@ -219,7 +219,7 @@ std::string pair(const Scenario& s) {
   const double reach = std::max(s.A.reach(), s.B.reach());
   d.box(s.A, blue);
   d.box(s.B, orange);
-  const Kind speed(0.8 * reach, {s.A.velocity, s.B.velocity}), turn(0.8 * reach, {s.A.spin, s.B.spin});
+  const ArrowScale speed(0.8 * reach, {s.A.velocity, s.B.velocity}), turn(0.8 * reach, {s.A.spin, s.B.spin});
   const std::pair<const Box*, const char*> bodies[] = {{&s.A, "₁"}, {&s.B, "₂"}};
   for (const auto& [b, index] : bodies) {
     d.arrow(b->position, speed(b->velocity), teal, std::string("v") + index);
