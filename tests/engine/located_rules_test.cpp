@@ -99,7 +99,9 @@ TEST(Located, InsideAPlaneIsABillionthOfTheSize) {
     x.add(rule_cube, Vec3<double>(0, 0, 0.5 - deep * rule_diagonal));
     const RunSummary summary = x.run();
     ASSERT_EQ(summary.handed_over.size(), deep > 1e-9 ? 1u : 0u) << deep;
-    if (deep > 1e-9) EXPECT_EQ(summary.handed_over[0].why, std::string("begins inside a plane"));
+    if (deep > 1e-9) {
+      EXPECT_EQ(summary.handed_over[0].why, std::string("begins inside a plane"));
+    }
   }
 }
 
@@ -184,6 +186,24 @@ TEST(LocatedPairs, EdgesNearlyParallelMeetAtTheirTime) {
   EXPECT_NEAR(found.time, 1, 1e-11);  // the places' roundings, 16 u of 3 m, at 1e-3 m/s: 5e-12 s
 }
 
+// "at an overlap of 1e-10 of the smallest edge": a cube falls on another with a tilt of 0.9e-10 and is hit flat, so that they change
+// speeds; with a tilt of 1.1e-10 on its edge.
+TEST(LocatedPairs, TheManifoldIsThatOfATenBillionthOfTheEdge) {
+  for (const double tilt : {0.9e-10, 1.1e-10}) {
+    RuleScene x(1.125);
+    x.add(rule_cube, zero3<double>());
+    x.add(rule_cube, Vec3<double>(0, 0, 2 + tilt / 2), Vec3<double>(0, 0, -1)).R_WB = exp_so3<double>(Vec3<double>(0, tilt, 0));
+    x.run();
+    if (tilt < 1e-10) {
+      EXPECT_LT(norm<double>(x.end[1].w_WB), 1e-9);
+      EXPECT_NEAR(x.end[1].v_WB[2], 0, 1e-9);
+      EXPECT_NEAR(x.end[0].v_WB[2], -1, 1e-9);
+    } else {
+      EXPECT_GT(norm<double>(x.end[1].w_WB), 0.1);
+    }
+  }
+}
+
 // "Where it exceeds a thousandth of the smallest edge it cannot be said which corners touch": 1e14 m away the doubles are 1/64 m apart.
 // One comes to another at 1 m/s and is handed over with that reason, once.
 TEST(LocatedPairs, WhoMeetFarAwayAreHandedOverForTheRoundingOfTheirPlaces) {
@@ -196,6 +216,29 @@ TEST(LocatedPairs, WhoMeetFarAwayAreHandedOverForTheRoundingOfTheirPlaces) {
     EXPECT_EQ(handed.why, std::string("flew so far that its place is rounded by a thousandth of its smallest edge"));
     EXPECT_EQ(handed.times, 1);
   }
+}
+
+// "with the fall to spare": in a step of four seconds both fall by up to 64 m. One comes from 29 m below at 12.5 m/s, as one falls
+// beside the other, and is met at (29 - 1)/12.5 s, 20 m down.
+TEST(LocatedPairs, AFallOfManySizesWithinAStepIsWatched) {
+  RuleScene x(3.75, 0.5);
+  x.scene.gravity = Vec3<double>(0, -8, 0), x.scene.dt = 4;
+  x.plane(zero3<double>(), Vec3<double>(1, 0, 0));
+  x.add(rule_cube, Vec3<double>(0.499, 0, 0));
+  x.add(rule_cube, Vec3<double>(0.6, -29, 0), Vec3<double>(0, 12.5, 0));
+  const RunSummary summary = x.run();
+  ASSERT_EQ(summary.handed_over.size(), 2u);
+  EXPECT_NEAR(summary.handed_over[1].from, 28 / 12.5 + 1 / (4 * 12.5), 1e-9);
+}
+
+// A corner straight down, on its sphere (edges 2, 4, 4: radius 3), a metre above the floor at 1 m/s: met when the run ends.
+TEST(Located, ACornerThatLandsAtTheEndOfTheRunIsFound) {
+  RuleScene x(1);
+  x.floor();
+  State<double>& s = x.add(Vec3<double>(2, 4, 4), Vec3<double>(0, 0, 4), Vec3<double>(0, 0, -1));
+  s.R_WB.row(0) = Vec3<double>(2, 1, -2) / 3, s.R_WB.row(1) = Vec3<double>(-2, 2, -1) / 3, s.R_WB.row(2) = Vec3<double>(1, 2, 2) / 3;
+  EXPECT_EQ(x.run().ledger.impacts, 1);
+  EXPECT_NEAR(x.end[0].v_WB[2], 1, 1e-12);
 }
 
 // B's parabola has its apex over A, which lies on the floor: the spheres around them come within a ten-billionth of the size there
