@@ -67,7 +67,7 @@ end
 )file";
 
 constexpr const char* practice = R"file(#!/bin/sh
-# Grades src/ with the seed for practice; the course uses another. ExportOptions: those of `rigor grade`, for example
+# Grades src/ with the seed for practice; the course uses another. Options: those of `rigor grade`, for example
 #   ./practice --out report                          a page to look at
 #   ./practice --check plane.impulse --case 17       one case again
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <rigor/contact/impact.hpp>
 #include <rigor/engine/first_root.hpp>
 #include <rigor/engine/located_world.hpp>
@@ -77,7 +78,10 @@ PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   const Moment base = a.start.since(b.start) > 0 ? a.start : b.start;
   if (a.phase == LocatedBody::Phase::resting && b.phase == LocatedBody::Phase::resting) {  // they stay as they are; told only if one is inside the other
     const State<double>&s_a = a.flight->start(), &s_b = b.flight->start();
-    if (spheres_apart(i, s_a, j, s_b) || separation(shape(i), s_a, shape(j), s_b).gap >= -allowed_overlap(i, s_a, j, s_b) - a.rounding - b.rounding) return {};
+    if (spheres_apart(i, s_a, j, s_b)) return {};
+    const double rounding = rounding_at(a, base) + rounding_at(b, base), allowed = allowed_overlap(i, s_a, j, s_b);
+    if (allowed + rounding > std::min(shape(i).size().minCoeff(), shape(j).size().minCoeff()) / 2) return {base, PairContact::Kind::blurred};
+    if (separation(shape(i), s_a, shape(j), s_b).gap >= -allowed - rounding) return {};
     return {base, PairContact::Kind::touch};
   }
   // until the run, or one of the flights, is over: the next flight is searched when it begins
@@ -99,6 +103,10 @@ PairEvent LocatedWorld::search_pair(std::size_t i, std::size_t j) {
   summary_.steps += found.advances;
   if (found.kind == PairContact::Kind::none) return {};
   return {base.after(found.time), found.kind};
+}
+
+double LocatedWorld::rounding_at(const LocatedBody& body, const Moment& now) {
+  return std::fmax(body.rounding, body.flight->rounding(now.since(body.start)));
 }
 
 double LocatedWorld::allowed_overlap(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const {

@@ -142,6 +142,8 @@ class LocatedWorld {
 
   /// Two cuboids touch now: the manifold's approaching points are hit at their mean, until none approaches.
   void meet(const Event& event);
+  /// What roundings of this flight and those before may have done to the place of one in flight, m.
+  static double rounding_at(const LocatedBody& body, const Moment& now);
   /// How deep two may be in one another and still touch, m: a billionth of the smallest edge, and what roundings of places make.
   double allowed_overlap(std::size_t i, const State<double>& a, std::size_t j, const State<double>& b) const;
   double last_meeting_at(std::size_t i, std::size_t j) const;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <limits>
 #include <random>
 #include <rigor/engine/batch.hpp>
 #include <rigor/engine/flight_batch.hpp>

@@ -16,6 +16,7 @@ namespace {
 using V = Vec3<double>;
 using P = reference::Precise;
 using Precision = ExactFlight::Precision;
+
 struct Pair {
   double plain, extended;  // attitude error, rad
 };

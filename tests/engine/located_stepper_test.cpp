@@ -2,6 +2,7 @@
 // ends a quarter of the thinnest edge later. Times from closed forms.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <rigor/engine/located.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <rigor/scene/simulate.hpp>
@@ -153,15 +154,16 @@ TEST(LocatedPairs, ANumberThatLeavesTheRangeEndsTheRun) {
   EXPECT_FALSE(in_a_step.run().finite);
 }
 
-// Two at rest on a floor: one inside the other is told, side by side they rest.
+// Two at rest on a floor: one inside the other by more than a billionth of its edge is told, side by side they rest. The 64th of a
+// metre apart along the floor keeps other edges from lining up.
 TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
-  for (const double apart : {0.5, 1 - 1e-6, 1., 1.25}) {
+  for (const double apart : {0.5, 1 - 1.1e-9, 1 - 0.9e-9, 1., 1.25}) {
     StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
     s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
     s.add(unit_cube, Vec3<double>(0, 0.5, 0), zero3<double>());
-    s.add(unit_cube, Vec3<double>(apart, 0.5, 0.125), zero3<double>());
+    s.add(unit_cube, Vec3<double>(apart, 0.5, 1.0 / 64), zero3<double>());
     const RunSummary summary = s.run();
-    if (apart >= 1) {
+    if (apart > 1 - 1e-9) {
       EXPECT_TRUE(summary.handed_over.empty()) << apart;
     } else {
       ASSERT_EQ(summary.handed_over.size(), 2u) << apart;
@@ -169,6 +171,17 @@ TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
       EXPECT_EQ(summary.handed_over[0].from, 0);
     }
   }
+}
+
+// At 1e15 m a place is rounded by an eighth of a metre: whether two cubes at rest there overlap cannot be said, and that is said.
+TEST(LocatedPairs, RestingOnesWhosePlacesAreRoundedTooFarAreHandedOver) {
+  StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
+  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  s.add(unit_cube, Vec3<double>(1e15, 0.5, 0), zero3<double>());
+  s.add(unit_cube, Vec3<double>(1e15, 0.5, 0), zero3<double>());
+  const RunSummary summary = s.run();
+  ASSERT_EQ(summary.handed_over.size(), 2u);
+  EXPECT_EQ(summary.handed_over[0].why, std::string("flew so far that its place is rounded by a thousandth of its smallest edge"));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 find_package(PkgConfig QUIET)
 function(rigor_peer name)  # what it links
   add_executable(rigor_peer_${name} EXCLUDE_FROM_ALL src/studies/peers/main.cpp src/studies/peers/${name}.cpp)
-  set_target_properties(rigor_peer_${name} PROPERTIES OUTPUT_NAME rigor-peer-${name} CXX_STANDARD 17)  # Simbody 3.7 does not compile as C++20
+  set_target_properties(rigor_peer_${name} PROPERTIES OUTPUT_NAME rigor-peer-${name} CXX_STANDARD 17 UNITY_BUILD OFF)  # Simbody 3.7 does not compile as C++20
   target_include_directories(rigor_peer_${name} PRIVATE ${PROJECT_BINARY_DIR}/include)
   target_link_libraries(rigor_peer_${name} PRIVATE nlohmann_json::nlohmann_json ${ARGN})
   add_dependencies(rigor_peers rigor_peer_${name})
