@@ -23,6 +23,7 @@ struct TableOptions {
   std::optional<double> within;
 };
 
+int refuse_table(const std::string& text) { return refused("check-table", text); }
 std::string frozen_table(const std::string& name) {
   for (const auto& text : texts())
     if (text.path == "reference/tables/" + name + ".csv") return std::string(text.content);
@@ -32,7 +33,7 @@ std::string frozen_table(const std::string& name) {
 // Each CSV and its JSON twin. Nothing is written before all are there.
 int write_tables(const std::filesystem::path& dir) {
   const auto probe = dir / ("probe-" + std::to_string(::getpid()));  // minutes before the first table: can it be written?
-  if (const auto written = write_file(probe, ""); !written) return refused("check-table", "--write: " + dir.string() + " " + written.fault().what);
+  if (const auto written = write_file(probe, ""); !written) return refuse_table("--write: " + dir.string() + " " + written.fault().what);
   std::error_code ignored;
   std::filesystem::remove(probe, ignored);
   const auto tables = unless_interrupted(
@@ -45,7 +46,7 @@ int write_tables(const std::filesystem::path& dir) {
   std::vector<std::string> names;
   for (const auto& [name, csv] : tables)
     for (const auto& [file, text] : {std::pair{name + ".csv", csv}, std::pair{name + ".json", studies::table_json(name, csv)}}) {
-      if (const auto written = write_file(dir / file, text); !written) return refused("check-table", written.fault().text());
+      if (const auto written = write_file(dir / file, text); !written) return refuse_table(written.fault().text());
       names.push_back(file);
     }
   say_wrote(dir, names);
@@ -64,26 +65,26 @@ std::string other_table(const std::string& name, const std::string& theirs, doub
 
 int check_table_command(const TableOptions& options) {
   if (!options.write.empty()) {
-    if (!options.file.empty() || !options.table.empty() || options.within) return refused("check-table", "--write: makes all tables anew, and looks at no FILE, --table or --within");
+    if (!options.file.empty() || !options.table.empty() || options.within) return refuse_table("--write: makes all tables anew, and looks at no FILE, --table or --within");
     return write_tables(options.write);
   }
-  if (options.within && options.file.empty()) return refused("check-table", "--within: needs FILE, whose errors are to be within it");
+  if (options.within && options.file.empty()) return refuse_table("--within: needs FILE, whose errors are to be within it");
   const std::string name = options.table.empty() ? "free-flight" : options.table, table = frozen_table(name);
   if (table.empty()) {
     std::vector<std::string> known;
     for (const auto& t : studies::frozen_tables()) known.push_back(t.name);
-    return refused("check-table", fmt::format("--table there is no table '{}'{}; known: {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
+    return refuse_table(fmt::format("--table there is no table '{}'{}; known: {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
   }
   if (options.file.empty()) {
     std::fputs(table.c_str(), stdout);
     return 0;
   }
   const auto theirs = read_file(options.file);
-  if (!theirs) return refused("check-table", theirs.fault().text());
+  if (!theirs) return refuse_table(theirs.fault().text());
   const auto rows = studies::check_table(table, *theirs, options.file);
   if (!rows) {
     const std::string other = other_table(name, *theirs, std::numeric_limits<double>::infinity());
-    return refused("check-table", rows.fault().text() + (other.empty() ? "" : "; it fits --table " + other));
+    return refuse_table(rows.fault().text() + (other.empty() ? "" : "; it fits --table " + other));
   }
   const studies::TableVerdict verdict = studies::verdict_of(*rows);
   const bool within = !options.within || verdict.within(*options.within);

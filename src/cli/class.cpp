@@ -25,6 +25,8 @@ struct ClassOptions {
   bool fresh = false, quiet = false;
 };
 
+int refuse_class(const std::string& text) { return refused("class", text); }
+
 /// Whether `path`, which need not exist, is `directory` or lies in it.
 bool inside(const std::filesystem::path& path, const std::filesystem::path& directory) {
   std::error_code ec;
@@ -39,37 +41,37 @@ bool inside(const std::filesystem::path& path, const std::filesystem::path& dire
 int class_command(const ClassOptions& options) {
   const std::filesystem::path out = options.out;
   std::filesystem::path directory = options.directory;
-  if (options.fill.empty() && !options.column.empty()) return refused("class", "--column: is '" + options.column + "' without --fill, the gradebook it is a column of");
-  if (inside(out, directory)) return refused("class", "--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
+  if (options.fill.empty() && !options.column.empty()) return refuse_class("--column: is '" + options.column + "' without --fill, the gradebook it is a column of");
+  if (inside(out, directory)) return refuse_class("--out: " + options.out + " lies in " + options.directory + ", where the next run would take it for a submission; must be outside");
   if (!options.against.empty() && inside(out, options.against) && inside(options.against, out))
-    return refused("class", "--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
+    return refuse_class("--against: is the same directory as --out (" + options.out + "), which this run writes over; give another --out");
   std::vector<grader::ClassRow> before;
   if (!options.against.empty()) {
     const auto read = grader::read_class(options.against);
-    if (!read) return refused("class", "--against: " + read.fault().text());
+    if (!read) return refuse_class("--against: " + read.fault().text());
     before = *read;
   }
   if (!options.fill.empty())  // before an hour of grading, not after it
-    if (const auto possible = grader::fill_gradebook(options.fill, options.column, {}); !possible) return refused("class", "--fill: " + possible.fault().text());
+    if (const auto possible = grader::fill_gradebook(options.fill, options.column, {}); !possible) return refuse_class("--fill: " + possible.fault().text());
   grader::Rubric rubric;
   if (!options.rubric.empty()) {
     const auto read = grader::read_rubric(options.rubric);
-    if (!read) return refused("class", read.fault().text());
+    if (!read) return refuse_class(read.fault().text());
     rubric = *read;
   }
   std::error_code ec;
   if (std::filesystem::is_regular_file(directory, ec) && grader::archive_name(directory)) {
     const auto unpacked = grader::unpack_class(directory, out / ".unpacked");
-    if (!unpacked) return refused("class", unpacked.fault().text());
+    if (!unpacked) return refuse_class(unpacked.fault().text());
     directory = *unpacked;
   }
   const auto entries = grader::read_roster(directory);
   if (!entries) {
     if (directory != options.directory) std::filesystem::remove_all(out / ".unpacked", ec), std::filesystem::remove(out, ec);  // where it is empty
-    return refused("class", entries.fault().text());
+    return refuse_class(entries.fault().text());
   }
   std::filesystem::create_directories(out, ec);
-  if (ec) return refused("class", "--out: " + options.out + " cannot be written: " + ec.message());
+  if (ec) return refuse_class("--out: " + options.out + " cannot be written: " + ec.message());
   if (options.seed != 0) rubric.seed = options.seed;
   for (const std::string& warning : grader::warnings(rubric, true)) std::fprintf(stderr, "rigor class: %s\n", warning.c_str());
   grader::ClassOptions run;
@@ -85,17 +87,17 @@ int class_command(const ClassOptions& options) {
   const auto stale = grader::remove_stale_reports(out, rows);
   const auto changed = options.against.empty() ? std::vector<grader::Change>{} : grader::changes(before, rows);
   std::vector<std::string> files{"class.html", "scores.csv", "matrix.csv", "*/report.html"};
-  if (const auto written = grader::write_class(out, rows, rubric, changed); !written) return refused("class", written.fault().text());
+  if (const auto written = grader::write_class(out, rows, rubric, changed); !written) return refuse_class(written.fault().text());
   if (!options.against.empty()) {
-    if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return refused("class", written.fault().text());
+    if (const auto written = write_file(out / "changes.csv", grader::changes_csv(changed)); !written) return refuse_class(written.fault().text());
     files.push_back("changes.csv");
     if (!options.quiet) std::printf("%zu changed since %s\n", changed.size(), options.against.c_str());
   }
   if (!options.fill.empty()) {
     const auto filled = grader::fill_gradebook(options.fill, options.column, rows);
-    if (!filled) return refused("class", "--fill: " + filled.fault().text());
+    if (!filled) return refuse_class("--fill: " + filled.fault().text());
     files.push_back("filled-" + std::filesystem::path(options.fill).filename().string());
-    if (const auto written = write_file(out / files.back(), filled->csv); !written) return refused("class", written.fault().text());
+    if (const auto written = write_file(out / files.back(), filled->csv); !written) return refuse_class(written.fault().text());
     for (const std::string& remark : filled->remarks) std::fprintf(stderr, "rigor class: --fill: %s\n", remark.c_str());
     if (!options.quiet) std::printf("%d of %d rows filled in\n", filled->filled, filled->rows);
   }

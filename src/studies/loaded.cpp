@@ -12,7 +12,6 @@ using P = reference::Precise;
 using J = reference::Jet<P>;
 using reference::Jets;
 
-Cuboid<double> loaded_cuboid(double m, const V& size) { return *Cuboid<double>::make(m, size); }
 const Mat3<double>& generic() {
   static const Mat3<double> R = rotation_of<double>(Vec4<double>(1, 2, -1, 3));
   return R;
@@ -69,7 +68,7 @@ Vec3<T> chosen_spin(const T& t) {  // world axes: each rate about its axis as th
 
 Problem constant_push(const std::string& name, double until) {
   Problem p{name, "case F-01: a cuboid 1 x 2 x 3 m, 2 kg, from rest under F = (1, -2, 0.5) N and a torque of 0.75 N m about its third axis",
-            "closed form: x = F t^2/2m, angle tau t^2/2I; own error a few roundings", loaded_cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
+            "closed form: x = F t^2/2m, angle tau t^2/2I; own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
   const V f(1, -2, 0.5), tau(0, 0, 0.75);
   p.load = [=](double, const State<double>&) { return Load{f, tau}; };
   p.end.v_WB = until / p.body.mass() * f;
@@ -80,13 +79,13 @@ Problem constant_push(const std::string& name, double until) {
 }
 
 Problem axial_torque(const std::string& name, double until) {
-  return spun(name, "case F-02: a square prism 1 x 1 x 3 m, 2 kg, spin (0.4, -0.3, 1.1) rad/s in body axes, under a torque of 0.7 N m about its own axis", loaded_cuboid(2, {1, 1, 3}), generic(),
+  return spun(name, "case F-02: a square prism 1 x 1 x 3 m, 2 kg, spin (0.4, -0.3, 1.1) rad/s in body axes, under a torque of 0.7 N m about its own axis", cuboid(2, {1, 1, 3}), generic(),
               V(0.4, -0.3, 1.1), zero3<double>(), V(0, 0, 0.7), until);
 }
 
 Problem springs(const std::string& name, double until) {
   Problem p{name, "case F-03: a cuboid 1 x 2 x 3 m, 2 kg, on a spring of 8 N/m at its centre and one of 5 N m/rad about its third axis, let go at (0.3, -0.2, 0.1) m and 0.4 rad",
-            "closed form: cosines; own error a few roundings", loaded_cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
+            "closed form: cosines; own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
   const double k = 8, twist = 5, w = std::sqrt(k / p.body.mass()), turn = std::sqrt(twist / p.body.inertia()[2]), angle = 0.4;
   p.start.p_WB = V(0.3, -0.2, 0.1);
   p.start.R_WB = exp_so3<double>(V(0, 0, angle));
@@ -100,7 +99,7 @@ Problem springs(const std::string& name, double until) {
 
 Problem drag(const std::string& name, double until) {
   Problem p{name, "case F-04: a cuboid 1 x 2 x 3 m, 2 kg, falls from rest at 9.8 m/s^2 against a drag of 0.5 |v| v, spinning at 2 rad/s about its third axis. A load that looks at velocities: ways that kick are of order 1 in position",
-            "closed form: v = v_e tanh(g t/v_e); own error a few roundings", loaded_cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
+            "closed form: v = v_e tanh(g t/v_e); own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
   const double g = 9.8, m = p.body.mass(), c = 0.5, v_e = std::sqrt(m * g / c);
   p.start.w_WB = V(0, 0, 2);
   p.load = [=](double, const State<double>& s) { return Load{V(0, -m * g, 0) - c * norm<double>(s.v_WB) * s.v_WB, zero3<double>()}; };
@@ -114,14 +113,14 @@ Problem drag(const std::string& name, double until) {
 Problem lagrange_top(const std::string& name, double until) {
   const double tilt = 0.6, spin = 12, precession = 0.35020353984998315346;  // of I1 W^2 cos th - I3 w3 W + P = 0
   return spun(name, "case F-05: Lagrange's top as a square prism, I = (1, 1, 0.5) kg m^2, its weight of 1 N at 2 m along its axis, tilted by 0.6 rad, spinning at 12 rad/s: it precesses steadily at 0.35020353984998315 rad/s",
-              loaded_cuboid(3, {1, 1, std::sqrt(3.0)}), exp_so3<double>(V(tilt, 0, 0)), V(0, precession * std::sin(tilt), spin), V(0, 0, 2), zero3<double>(), until);
+              cuboid(3, {1, 1, std::sqrt(3.0)}), exp_so3<double>(V(tilt, 0, 0)), V(0, precession * std::sin(tilt), spin), V(0, 0, 2), zero3<double>(), until);
 }
 Problem kovalevskaya_top(const std::string& name, double until) {
-  return spun(name, "case F-06: Kovalevskaya's top as a cuboid 1 x 1 x sqrt 3 m, 6 kg, its weight of 1 N at 1.5 m along the first axis, spin (0.5, -1.2, 2) rad/s in body axes", loaded_cuboid(6, {1, 1, std::sqrt(3.0)}),
+  return spun(name, "case F-06: Kovalevskaya's top as a cuboid 1 x 1 x sqrt 3 m, 6 kg, its weight of 1 N at 1.5 m along the first axis, spin (0.5, -1.2, 2) rad/s in body axes", cuboid(6, {1, 1, std::sqrt(3.0)}),
               generic(), V(0.5, -1.2, 2), V(1.5, 0, 0), zero3<double>(), until);
 }
 Problem goryachev_top(const std::string& name, double until) {
-  const Cuboid<double> body = loaded_cuboid(6, {1, 1, std::sqrt(7.0)});
+  const Cuboid<double> body = cuboid(6, {1, 1, std::sqrt(7.0)});
   const V up = generic().row(2), I = body.inertia();
   V w(0.5, -1.2, 0);
   w[2] = -(I[0] * w[0] * up[0] + I[1] * w[1] * up[1]) / (I[2] * up[2]);
@@ -132,7 +131,7 @@ Problem goryachev_top(const std::string& name, double until) {
 Problem chosen_motion(const std::string& name, double until) {
   using C = std::complex<double>;
   Problem p{name, "case F-08: a cuboid 1 x 2 x 3 m, 2 kg, under the force and torque that make it move by x = (sin t, t^3/3, cos 2t), R = Rz(sin t) Rx(t + t^2/4) Rz(cos 2t): every term is active",
-            "the motion chosen beforehand; the torque is the rate of L by a complex step; own error a few roundings", loaded_cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
+            "the motion chosen beforehand; the torque is the rate of L by a complex step; own error a few roundings", cuboid(2, {1, 2, 3}), {}, nullptr, until, {}};
   const V I = p.body.inertia();
   const auto state = [](double t) {
     State<double> s;
@@ -155,7 +154,7 @@ Problem chosen_motion(const std::string& name, double until) {
 
 // Its L and its centre have closed forms; the attitude follows L by series.
 Problem changing_load(const std::string& name, double until) {
-  Problem p{name, "a cuboid 1 x 2 x 3 m, 1 kg, under F = (sin t, -1, cos 2t) N and torque (cos t, sin 2t, 1/2) N m", std::string("L and the centre in closed form, the attitude by ") + by_series, loaded_cuboid(1, {1, 2, 3}), {}, nullptr, until, {}};
+  Problem p{name, "a cuboid 1 x 2 x 3 m, 1 kg, under F = (sin t, -1, cos 2t) N and torque (cos t, sin 2t, 1/2) N m", std::string("L and the centre in closed form, the attitude by ") + by_series, cuboid(1, {1, 2, 3}), {}, nullptr, until, {}};
   p.start.R_WB = generic();
   p.start.w_WB = V(0.3, 1, -0.4);
   p.start.v_WB = V(1, 0, -1);

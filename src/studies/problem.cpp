@@ -18,8 +18,6 @@ namespace {
 
 using V = Vec3<double>;
 
-Cuboid<double> cuboid(double m, const V& size) { return *Cuboid<double>::make(m, size); }
-
 // The end of a torque-free flight by the Taylor series in 60 digits, rounded once.
 Problem free_flight(const std::string& name, const std::string& says, const Cuboid<double>& body, const V& w_B, double until,
                     const Mat3<double>& R_WB = rotation_of<double>(Vec4<double>(1, 2, -1, 3))) {

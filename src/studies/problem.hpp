@@ -26,6 +26,9 @@ struct Problem {
   Load load_at(double t, const State<double>& s) const { return load ? load(t, s) : Load{}; }
 };
 
+/// A cuboid of the catalogue: m > 0 kg, edges > 0 m.
+inline Cuboid<double> cuboid(double m, const Vec3<double>& size) { return *Cuboid<double>::make(m, size); }
+
 /// The catalogue: free flights, the public box, a thrown body, forced bodies.
 std::vector<std::string> problem_names();
 /// Those of them that `falls`.

@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <rigor/base/file.hpp>
 #include <rigor/cli/commands.hpp>
 #include <rigor/cli/shell.hpp>
+#include <tests/cli/shell.hpp>
 
 namespace rigor::cli {
 namespace {
@@ -21,11 +21,8 @@ class Shell : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(dir); }
   std::string output(const std::string& command) {
-    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    std::string text;
-    for (int c; (c = std::fgetc(pipe)) != EOF;) text += char(c);
-    if (pclose(pipe) != 0) text += "(failed)";
-    return text;
+    const auto [status, text] = sh(command);
+    return status == 0 ? text : text + "(failed)";
   }
   // What bash offers after these words, sorted, in one line.
   std::string offered(const std::string& words) {

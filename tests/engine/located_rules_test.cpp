@@ -36,14 +36,18 @@ struct RuleScene {
 const Vec3<double> rule_cube(1, 1, 1);
 const double rule_diagonal = std::sqrt(3.0);
 
+// Two in the stepper, their centres at -x and x, that come at each other at `speed` each.
+void add_head_on(RuleScene& scene, double x, double speed, double y = 0) {
+  for (const double side : {-1, 1}) scene.add(rule_cube, Vec3<double>(side * x, y, 0.49), Vec3<double>(-side * speed, 0, 0));
+}
+
 // "by a quarter of that edge at most": 3 m apart at 64 m/s they meet at 3/64 s, and the step ends when they overlap by 1/4: each is
 // pushed 1/8 m, and has gone 32 m/s for what is left of 1/8 s.
 TEST(LocatedPairs, AStepEndsAQuarterOfTheThinnestEdgeAfterTheyMeet) {
   RuleScene x(0.125);
   x.scene.dt = 0.125;
   x.floor();
-  x.add(rule_cube, Vec3<double>(-2, 0, 0.49), Vec3<double>(32, 0, 0));
-  x.add(rule_cube, Vec3<double>(2, 0, 0.49), Vec3<double>(-32, 0, 0));
+  add_head_on(x, 2, 32);
   const RunSummary summary = x.run();
   EXPECT_NEAR(summary.ledger.deepest_penetration, 0.125, 1e-12);
   const double rest = 0.125 - (3.0 / 64 + 0.25 / 64);
@@ -56,8 +60,7 @@ TEST(LocatedPairs, AStepOfLessThanHalfTheThinnestEdgeIsNotCut) {
   RuleScene x(0.125);
   x.scene.dt = 0.125;
   x.floor();
-  x.add(rule_cube, Vec3<double>(-0.505, 0, 0.49), Vec3<double>(1.8, 0, 0));
-  x.add(rule_cube, Vec3<double>(0.505, 0, 0.49), Vec3<double>(-1.8, 0, 0));
+  add_head_on(x, 0.505, 1.8);
   EXPECT_NEAR(x.run().ledger.deepest_penetration, 0.22, 1e-12);
   for (const double side : {-1, 1}) EXPECT_NEAR(x.end[side > 0].p_WB[0], side * 0.5, 1e-12);
 }
@@ -66,9 +69,8 @@ TEST(LocatedPairs, AStepOfLessThanHalfTheThinnestEdgeIsNotCut) {
 TEST(LocatedPairs, AStepIsDividedSixteenTimes) {
   const auto pairs = [](RuleScene& x, double from, int count) {
     for (int k = 1; k <= count; ++k) {
-      const double meets = from + double(k) / (count + 1), y = 3 * double(x.scene.bodies.size() / 2);
-      x.add(rule_cube, Vec3<double>(-0.5 - 8 * meets, y, 0.49), Vec3<double>(8, 0, 0));
-      x.add(rule_cube, Vec3<double>(0.5 + 8 * meets, y, 0.49), Vec3<double>(-8, 0, 0));
+      const double meets = from + double(k) / (count + 1);
+      add_head_on(x, 0.5 + 8 * meets, 8, 3 * double(x.scene.bodies.size() / 2));
     }
   };
   RuleScene twice(2);  // sixteen in each of two steps
