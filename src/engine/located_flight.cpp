@@ -165,7 +165,7 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
   b.flight.emplace(shape(i), s, a, phase == LocatedBody::Phase::gliding ? std::optional(facing(s, scene_.planes[std::size_t(support)])) : std::nullopt);
   ++flying_;
   b.next = ends;
-  b.trouble = nullptr;
+  const char* trouble = nullptr;
   const double horizon = now.until(scene_.until), radius = size(i) / 2;
   for (std::size_t p = 0; p < scene_.planes.size(); ++p) {
     if (int(p) == support) continue;
@@ -183,10 +183,11 @@ void LocatedWorld::fly(std::size_t i, const Moment& now, const State<double>& s,
     summary_.steps += found.advances;
     if (found.kind == PlaneContact::Kind::none || found.tau >= b.next) continue;
     b.next = found.tau;
-    b.trouble = found.kind == PlaneContact::Kind::tangled ? "a corner follows the plane within rounding"
-                : found.kind == PlaneContact::Kind::endless ? "a search of a million advances found no end"
-                                                            : nullptr;
+    trouble = found.kind == PlaneContact::Kind::tangled ? "a corner follows the plane within rounding"
+              : found.kind == PlaneContact::Kind::endless ? "a search of a million advances found no end"
+                                                          : nullptr;
   }
+  b.trouble = trouble;
   const std::uint32_t index = std::uint32_t(i);
   if (b.next < infinity) push({now.after(b.next), Event::Kind::own, PairContact::Kind::none, index, index, b.flights, b.flights});
   ledger_.skips.pairs_of += long(flying_) - 1;

@@ -135,7 +135,7 @@ void LocatedWorld::meet(const Event& event) {
   if (!any && trouble == nullptr) trouble = "two cuboids touch and neither approach nor part";
   // bounces between two that have become too fast to follow: a persistent contact
   const double speed = norm<double>(V(a.v_WB - b.v_WB)) + norm<double>(a.w_WB) * size(i) + norm<double>(b.w_WB) * size(j) + std::sqrt(norm<double>(gravity_) * smallest);
-  if (any && trouble == nullptr && (now.value() - last_meeting_at(i, j)) * speed < 1e-6 * smallest) trouble = "a persistent contact of two cuboids";
+  if (trouble == nullptr && (now.value() - last_meeting_at(i, j)) * speed < 1e-6 * smallest) trouble = "a persistent contact of two cuboids";
   last_meeting_[{i, j}] = now.value();
   if (trouble != nullptr) {
     hand_over(i, now, a, trouble);

@@ -206,17 +206,38 @@ TEST(LocatedPairs, TheManifoldIsThatOfATenBillionthOfTheEdge) {
   }
 }
 
-// "Where it exceeds a thousandth of the smallest edge it cannot be said which corners touch": 1e14 m away the doubles are 1/64 m apart.
-// One comes to another at 1 m/s and is handed over with that reason, once.
+// "Where it exceeds a thousandth of the smallest edge it cannot be said which corners touch": 1e14 edges away the doubles are 1/64 of an
+// edge apart. One comes to another at an edge a second and is handed over with that reason, once.
 TEST(LocatedPairs, WhoMeetFarAwayAreHandedOverForTheRoundingOfTheirPlaces) {
-  RuleScene x(4);
-  x.add(rule_cube, Vec3<double>(1e14, 0, 0));
-  x.add(rule_cube, Vec3<double>(1e14 + 2.5, 0, 0), Vec3<double>(-1, 0, 0));
-  const RunSummary summary = x.run();
-  ASSERT_EQ(summary.handed_over.size(), 2u);
-  for (const HandOver& handed : summary.handed_over) {
-    EXPECT_EQ(handed.why, std::string("flew so far that its place is rounded by a thousandth of its smallest edge"));
-    EXPECT_EQ(handed.times, 1);
+  for (const double edge : {1., 0x1p-10, 0x1p10}) {
+    RuleScene x(4);
+    x.add(edge * rule_cube, Vec3<double>(1e14 * edge, 0, 0));
+    x.add(edge * rule_cube, Vec3<double>((1e14 + 2.5) * edge, 0, 0), Vec3<double>(-edge, 0, 0));
+    const RunSummary summary = x.run();
+    ASSERT_EQ(summary.handed_over.size(), 2u) << edge;
+    for (const HandOver& handed : summary.handed_over) {
+      EXPECT_EQ(handed.why, std::string("flew so far that its place is rounded by a thousandth of its smallest edge")) << edge;
+      EXPECT_EQ(handed.times, 1) << edge;
+    }
+  }
+}
+
+// "a millionth of the smallest edge": from 1 m above one that does not yield, at rest on the floor, it bounces with 4/2^m m/s, for 2^-m s.
+// After the bounce m = 22, in which √(g s) would carry it by 0.7 of a millionth, they are handed over.
+TEST(LocatedPairs, ABounceOfLessThanAMillionthOfAnEdgeIsAPersistentContact) {
+  for (const double edge : {1., 0x1p-10, 0x1p10}) {
+    RuleScene x(2, 0.5);
+    x.scene.gravity = Vec3<double>(0, 0, -8 * edge);
+    x.floor();
+    x.add(edge * rule_cube, Vec3<double>(0, 0, 0.5 * edge));
+    x.add(edge * rule_cube, Vec3<double>(0.125 * edge, 0, 2.5 * edge));
+    x.scene.bodies[0].shape = *Cuboid<double>::make(1e15, edge * Vec3<double>(4, 4, 1));
+    const RunSummary summary = x.run();
+    ASSERT_EQ(summary.handed_over.size(), 2u) << edge;
+    for (const HandOver& handed : summary.handed_over) {
+      EXPECT_EQ(handed.why, std::string("a persistent contact of two cuboids")) << edge;
+      EXPECT_NEAR(handed.from, 1.5 - 0x1p-22, 0x1p-25) << edge;
+    }
   }
 }
 

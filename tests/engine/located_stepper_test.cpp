@@ -39,6 +39,9 @@ struct StepperScene {
   }
 };
 const Vec3<double> unit_cube(1, 1, 1), in_wall(0.499, 0, 0);
+const double diagonal = std::sqrt(3.0);
+// Turns (1, 1, 1) to z.
+const Mat3<double> tip_up = exp_so3<double>(Vec3<double>(std::atan(std::sqrt(2.0)) / std::sqrt(2.0), -std::atan(std::sqrt(2.0)) / std::sqrt(2.0), 0));
 
 // Both fall; one comes from 13 m below at 12.5 m/s and is met at (13 - 1)/12.5 s. A step's end is a quarter of an edge later.
 TEST(LocatedPairs, AFallWithinAStepIsWatched) {
@@ -106,20 +109,56 @@ TEST(LocatedPairs, ATurnWithinAStepIsWatched) {
 // Corner past corner: the tips of two diagonals overlap by 2e-4 of a diagonal. They have parted when a part would end, yet the search
 // was made, and its advances are counted.
 TEST(LocatedPairs, TipsThatPassAreLookedAt) {
-  const double diagonal = std::sqrt(3.0);
-  const Mat3<double> up = exp_so3<double>(Vec3<double>(std::atan(std::sqrt(2.0)) / std::sqrt(2.0), -std::atan(std::sqrt(2.0)) / std::sqrt(2.0), 0));  // turns (1, 1, 1) to z
   StepperScene s(zero3<double>(), 1, 0.99);
   s.wall(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
-  s.scene.bodies[0].start.R_WB = up;
-  const long alone = s.run().steps;
-  s.add(unit_cube, Vec3<double>(4, 0, 0.9998 * diagonal), zero3<double>());
-  s.scene.bodies[1].start.R_WB = up;
-  EXPECT_NEAR(apply<double>(up, Vec3<double>(1, 1, 1))[2], diagonal, 1e-14);
-  EXPECT_GT(s.run().steps, alone);
+  s.add(unit_cube, Vec3<double>(4, 1000, 0.9998 * diagonal), zero3<double>());
+  for (SceneBody& b : s.scene.bodies) b.start.R_WB = tip_up;
+  const long apart = s.run().steps;
+  s.scene.bodies[1].start.p_WB[1] = 0;
+  EXPECT_NEAR(apply<double>(tip_up, Vec3<double>(1, 1, 1))[2], diagonal, 1e-14);
+  EXPECT_GT(s.run().steps, apart);
 }
 
-// It leaves the plane with its first step; ten steps in which it met nothing later it flies, at first and the next time.
+// A tip passes a grain: 4 m on, within the outermost 6e-4 of half its diagonal.
+TEST(LocatedPairs, ATipThatPassesAGrainIsWatched) {
+  StepperScene s(zero3<double>(), 1, 0.99);
+  s.wall(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
+  s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
+  s.scene.bodies[0].start.R_WB = tip_up;
+  const double grain = 1e-4 * diagonal;
+  s.add(Vec3<double>(grain, grain, grain), Vec3<double>(4, 0, 0.4998 * diagonal), zero3<double>());
+  EXPECT_NEAR(s.joined(), 0.5, 1e-3 / 8);  // a diagonal times 2.5e-4 √2 before its middle at the most
+}
+
+// The floor lifts a tip by 9e-4 of the diagonal at the end of a step, into a grain that hovers 8e-4 above where the tip was.
+TEST(LocatedPairs, WhoIsLiftedOutOfItsPathIsLookedAtThere) {
+  StepperScene s(zero3<double>(), 1, 1.5);
+  s.wall(Vec3<double>(0, 0, (9e-4 - 0.5) * diagonal), Vec3<double>(0, 0, 1));
+  s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
+  s.scene.bodies[0].start.R_WB = tip_up;
+  const double grain = 1e-4 * diagonal;
+  s.add(Vec3<double>(grain, grain, grain), Vec3<double>(8, 0, (0.5 + 8e-4) * diagonal), zero3<double>());
+  EXPECT_EQ(s.joined(), 1);
+}
+
+// Two in one another are put side by side, half an edge each and more than a step's box has room for; there the first meets a third, that
+// stands 1 mm in the floor: in the same step each of the two gives way by half of the eighth they overlap by.
+TEST(LocatedPairs, WhoIsPushedIntoAThirdIsLookedAtThere) {
+  StepperScene s(zero3<double>(), 1, 1.5);
+  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  const double in_another = 0x1p-6, pushed = (1 - in_another) / 2, third = -pushed - 1 + 0.125;
+  s.add(unit_cube, Vec3<double>(0, 0.75, 0), zero3<double>());
+  s.add(unit_cube, Vec3<double>(in_another, 0.75, 0), zero3<double>());
+  s.add(unit_cube, Vec3<double>(third, 0.499, 0), zero3<double>());
+  std::vector<State<double>> end;
+  ASSERT_TRUE(simulate_located(s.scene, [&](double, const std::vector<State<double>>& states) { end = states; }));
+  EXPECT_NEAR(end[0].p_WB[0], -pushed + 0.0625, 1e-15);
+  EXPECT_NEAR(end[1].p_WB[0], in_another + pushed, 1e-15);
+  EXPECT_NEAR(end[2].p_WB[0], third - 0.0625, 1e-15);
+}
+
+// It leaves the plane with its first step; ten steps in which it met nothing later it flies. The next time it is ten steps again.
 TEST(LocatedPairs, FliesAfterTenStepsThatMetNothing) {
   StepperScene s(zero3<double>(), 0.01, 1);
   s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
@@ -128,14 +167,12 @@ TEST(LocatedPairs, FliesAfterTenStepsThatMetNothing) {
   ASSERT_EQ(once.handed_over.size(), 1u);
   EXPECT_NEAR(once.handed_over[0].to, 0.1, 1e-15);
 
-  // out of the floor at 2 m/s, back after 0.4 s, spinning on a rough floor; the bounce that is left takes four steps of a microsecond
-  StepperScene twice(Vec3<double>(0, -fall, 0), 1e-6, 4 / fall + 1e-4);
-  twice.scene.surface = *Surface<double>::make(1e-5, 0.5, 0.5);
-  twice.wall(zero3<double>(), Vec3<double>(0, 1, 0));
-  twice.add(unit_cube, Vec3<double>(0, 0.5 - 1e-6, 0), Vec3<double>(0, 2, 0), Vec3<double>(0, 1, 0));
-  const RunSummary again = twice.run();
-  ASSERT_EQ(again.handed_over.size(), 2u);
-  EXPECT_EQ(again.handed_over[1].times, 1) << again.handed_over[1].why;
+  // 2e14 m away, 7/8 m apart: places are rounded by more than half an edge, and they are handed over whenever they fly
+  StepperScene again(zero3<double>(), 1.0 / 64, 1);
+  for (const double x : {2e14, 2e14 + 1.875}) again.add(unit_cube, Vec3<double>(x, 0, 0), zero3<double>());
+  const RunSummary summary = again.run();
+  ASSERT_EQ(summary.handed_over.size(), 2u);
+  for (const HandOver& h : summary.handed_over) EXPECT_EQ(h.times, 7) << "after 0, 10, ... 60 of 64 steps";
 }
 
 // The run says so when a number leaves the range, at once: before a step, and in one.
@@ -148,40 +185,56 @@ TEST(LocatedPairs, ANumberThatLeavesTheRangeEndsTheRun) {
   ASSERT_EQ(summary.handed_over.size(), 1u);
   EXPECT_EQ(summary.handed_over[0].why, std::string("a number left the range of double"));
   EXPECT_FALSE(summary.finite);
+  EXPECT_EQ(summary.t_end, 0);
   StepperScene in_a_step(zero3<double>(), 10, 15);
+  in_a_step.scene.every = 1;
   in_a_step.wall(zero3<double>(), Vec3<double>(1, 0, 0));
   in_a_step.add(unit_cube, in_wall, Vec3<double>(0, 1.7e308, 0));
   EXPECT_FALSE(in_a_step.run().finite);
+  EXPECT_EQ(in_a_step.run().t_end, 10);
+  // whatever two others would meet with in the step to come, at 12 s: that step is not looked at
+  in_a_step.scene.until = in_a_step.scene.every = 25;
+  in_a_step.add(unit_cube, Vec3<double>(0.499, 0, 1000), zero3<double>());
+  in_a_step.add(unit_cube, Vec3<double>(0.499, 97, 1000), Vec3<double>(0, -8, 0));
+  EXPECT_EQ(in_a_step.run().t_end, 20);
 }
 
 // Two at rest on a floor: one inside the other by more than a billionth of its edge is told, side by side they rest. The 64th of a
 // metre apart along the floor keeps other edges from lining up.
 TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
-  for (const double apart : {0.5, 1 - 1.1e-9, 1 - 0.9e-9, 1., 1.25}) {
-    StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
-    s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
-    s.add(unit_cube, Vec3<double>(0, 0.5, 0), zero3<double>());
-    s.add(unit_cube, Vec3<double>(apart, 0.5, 1.0 / 64), zero3<double>());
-    const RunSummary summary = s.run();
-    if (apart > 1 - 1e-9) {
-      EXPECT_TRUE(summary.handed_over.empty()) << apart;
-    } else {
-      ASSERT_EQ(summary.handed_over.size(), 2u) << apart;
-      EXPECT_EQ(summary.handed_over[0].why, std::string("begins inside another cuboid"));
-      EXPECT_EQ(summary.handed_over[0].from, 0);
+  for (const double edge : {1., 0x1p-10, 0x1p10})
+    for (const double apart : {0.5, 1 - 1.1e-9, 1 - 0.9e-9, 1., 1.25}) {
+      StepperScene s(Vec3<double>(0, -8 * edge, 0), 1.0 / 64, 1);
+      s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+      s.add(edge * unit_cube, Vec3<double>(0, 0.5 * edge, 0), zero3<double>());
+      s.add(edge * unit_cube, edge * Vec3<double>(apart, 0.5, 1.0 / 64), zero3<double>());
+      const RunSummary summary = s.run();
+      if (apart > 1 - 1e-9) {
+        EXPECT_TRUE(summary.handed_over.empty()) << apart << ' ' << edge;
+      } else {
+        ASSERT_EQ(summary.handed_over.size(), 2u) << apart << ' ' << edge;
+        EXPECT_EQ(summary.handed_over[0].why, std::string("begins inside another cuboid"));
+        EXPECT_EQ(summary.handed_over[0].from, 0);
+      }
     }
-  }
 }
 
-// At 1e15 m a place is rounded by an eighth of a metre: whether two cubes at rest there overlap cannot be said, and that is said.
+// Far away at X each place is rounded by 16 u X, u = 2^-53, and touching is what the two add up to once more: 64 u X in all. At 3 * 2^44 m
+// that is 3/8 of an edge; an overlap of a quarter may be none, and they rest. At 5 * 2^44 m it is 5/8: more than half an edge, and it
+// cannot be said what touches what.
 TEST(LocatedPairs, RestingOnesWhosePlacesAreRoundedTooFarAreHandedOver) {
-  StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
-  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
-  s.add(unit_cube, Vec3<double>(1e15, 0.5, 0), zero3<double>());
-  s.add(unit_cube, Vec3<double>(1e15, 0.5, 0), zero3<double>());
-  const RunSummary summary = s.run();
-  ASSERT_EQ(summary.handed_over.size(), 2u);
-  EXPECT_EQ(summary.handed_over[0].why, std::string("flew so far that its place is rounded by a thousandth of its smallest edge"));
+  const auto at = [](double far, double overlap) {
+    StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
+    s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+    s.add(unit_cube, Vec3<double>(far, 0.5, 0), zero3<double>());
+    s.add(unit_cube, Vec3<double>(far + 1 - overlap, 0.5, 1.0 / 64), zero3<double>());
+    const RunSummary summary = s.run();
+    return summary.handed_over.empty() ? "" : summary.handed_over[0].why;
+  };
+  EXPECT_EQ(at(0x3p44, 0.25), std::string());
+  EXPECT_EQ(at(0x3p44, 0.5), std::string("begins inside another cuboid"));
+  for (const double overlap : {1., 0.5, 0.25})
+    EXPECT_EQ(at(0x5p44, overlap), std::string("flew so far that its place is rounded by a thousandth of its smallest edge"));
 }
 
 }  // namespace
