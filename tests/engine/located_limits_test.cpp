@@ -5,32 +5,11 @@
 #include <cmath>
 #include <rigor/engine/first_root.hpp>
 #include <rigor/engine/flight.hpp>
-#include <rigor/engine/located.hpp>
+#include <tests/engine/small_scene.hpp>
 
 namespace rigor {
 namespace {
 
-struct LimitScene {
-  Scene scene;
-  std::vector<State<double>> end;
-  LimitScene(const Vec3<double>& gravity, double e, double mu_s, double mu_d, double until) {
-    scene.method = "located", scene.gravity = gravity, scene.until = scene.every = until, scene.dt = 1.0 / 64;
-    scene.surface = *Surface<double>::make(e, mu_s, mu_d);
-  }
-  LimitScene& wall(const Vec3<double>& at, const Vec3<double>& n) { return scene.planes.push_back(*Plane<double>::make(at, n)), *this; }
-  LimitScene& floor() { return wall(zero3<double>(), Vec3<double>(0, 0, 1)); }
-  LimitScene& add(const Vec3<double>& size, const Vec3<double>& p, const Vec3<double>& v = zero3<double>(), const Vec3<double>& w = zero3<double>()) {
-    State<double> s;
-    s.p_WB = p, s.v_WB = v, s.w_WB = w;
-    scene.bodies.push_back({*Cuboid<double>::make(1, size), s});
-    return *this;
-  }
-  RunSummary run() {
-    const auto done = simulate_located(scene, [&](double, const std::vector<State<double>>& states) { end = states; });
-    EXPECT_TRUE(done);
-    return *done;
-  }
-};
 const Vec3<double> weightless(0, 0, 0), edge_one(1, 1, 1);
 
 // s + c δ²/2 = 0 at √(2 s/−c): 4.5e159 s; 2 c s is less than any number.
@@ -51,7 +30,7 @@ TEST(Flight, TurnsWhereTheBoundOnItsSpinIsOne) {
 }
 
 TEST(Located, AWorldOfNobodyRunsToItsEnd) {
-  LimitScene nobody(weightless, 1, 0, 0, 1);
+  SmallScene nobody(weightless, 1, 0, 0, 1);
   const RunSummary summary = nobody.run();
   EXPECT_EQ(summary.t_end, 1);
   EXPECT_EQ(summary.ledger.impacts, 0);
@@ -60,13 +39,13 @@ TEST(Located, AWorldOfNobodyRunsToItsEnd) {
 // A slide without a deceleration never ends: static friction alone on a level floor, and a slope that dynamic friction just balances
 // (3 = 0.75 * 4). A wall is met at its time, a face 1.5 m away at 1 m/s, and so is the floor by one that falls 1 m beside it.
 TEST(Located, ASlideAtConstantSpeedMeetsWhatIsInItsWay) {
-  LimitScene level(Vec3<double>(0, 0, -8), 0.5, 0.5, 0, 4);
-  level.floor().wall(Vec3<double>(2, 0, 0), Vec3<double>(-1, 0, 0)).add(edge_one, Vec3<double>(0, 0, 0.5), Vec3<double>(1, 0, 0));
+  SmallScene level(Vec3<double>(0, 0, -8), 0.5, 0.5, 0, 4);
+  level.floor().plane(Vec3<double>(2, 0, 0), Vec3<double>(-1, 0, 0)).add(edge_one, Vec3<double>(0, 0, 0.5), Vec3<double>(1, 0, 0));
   EXPECT_EQ(level.run().ledger.impacts, 1);
   EXPECT_EQ(level.end[0].v_WB, Vec3<double>(-0.5, 0, 0));
   EXPECT_EQ(level.end[0].p_WB, Vec3<double>(1.5 - 0.5 * 2.5, 0, 0.5));
 
-  LimitScene slope(Vec3<double>(3, 0, -4), 0.5, 0.75, 0.75, 2);
+  SmallScene slope(Vec3<double>(3, 0, -4), 0.5, 0.75, 0.75, 2);
   slope.scene.friction_law = FrictionLaw::coulomb;
   slope.floor().add(edge_one, Vec3<double>(0, 0, 0.5), Vec3<double>(1, 0, 0)).add(edge_one, Vec3<double>(0, 5, 1.5));
   EXPECT_GT(slope.run().ledger.impacts, 0);
@@ -77,14 +56,14 @@ TEST(Located, ASlideAtConstantSpeedMeetsWhatIsInItsWay) {
 // At the last moment of a run, to the bit: there is no flight that follows.
 TEST(Located, AnImpactAtTheEndOfARunIsOne) {
   for (const double until : {1., 0.5, 0.25}) {
-    LimitScene s(weightless, 1, 0, 0, until);
+    SmallScene s(weightless, 1, 0, 0, until);
     s.floor().add(Vec3<double>(2, 2, 2), Vec3<double>(0, 0, 1 + until), Vec3<double>(0, 0, -1));
     EXPECT_EQ(s.run().ledger.impacts, 1) << until;
     EXPECT_EQ(s.end[0].v_WB[2], 1) << until;
   }
 }
 TEST(LocatedPairs, AMeetingAtTheEndOfARunIsOne) {
-  LimitScene s(weightless, 1, 0, 0, 0.25);
+  SmallScene s(weightless, 1, 0, 0, 0.25);
   s.add(Vec3<double>(2, 2, 2), zero3<double>()).add(Vec3<double>(2, 2, 2), Vec3<double>(2.25, 0, 0), Vec3<double>(-1, 0, 0));
   EXPECT_EQ(s.run().ledger.pair_impacts, 1);
   EXPECT_EQ(s.end[0].v_WB[0], -1) << "equal masses exchange their velocities";
@@ -93,7 +72,7 @@ TEST(LocatedPairs, AMeetingAtTheEndOfARunIsOne) {
 
 // In a gravity whose square is 0 all speeds that others are measured by are 0, and so is the height of the least bounce: at rest it rests.
 TEST(Located, WhatLiesInAGravityNextToNoneRests) {
-  LimitScene s(Vec3<double>(0, 0, -1e-311), 1, 0, 0, 1);
+  SmallScene s(Vec3<double>(0, 0, -1e-311), 1, 0, 0, 1);
   s.floor().add(edge_one, Vec3<double>(0, 0, 0.5));
   const RunSummary summary = s.run();
   EXPECT_TRUE(summary.handed_over.empty());
@@ -106,7 +85,7 @@ TEST(Located, WhatLiesInAGravityNextToNoneRests) {
 TEST(Located, TheBoundOfALandingWithoutSpinIsSharp) {
   const Vec3<double> size(4, 4, 1);
   for (const double part : {0.75e-12, 1.25e-12}) {
-    LimitScene s(weightless, 0.5, 0.5, 0.5, 0.125);
+    SmallScene s(weightless, 0.5, 0.5, 0.5, 0.125);
     s.floor().add(size, Vec3<double>(0, 0, 0.5), Vec3<double>(1, 0, -1), Vec3<double>(0, part * std::sqrt(2) / norm<double>(size), 0));
     EXPECT_EQ(s.run().ledger.impacts, part < 1e-12 ? 1 : 2);
     EXPECT_EQ(s.end[0].v_WB == Vec3<double>(0.25, 0, 0.5), part < 1e-12) << s.end[0].v_WB.transpose();
@@ -118,7 +97,7 @@ TEST(Located, TheBoundOfALandingWithoutSpinIsSharp) {
 // the slide is at most 1e-12 of the pressure: 3 sin of the angle between them.
 TEST(Located, TheBoundOfASlideInLineIsSharp) {
   for (const double part : {0.75e-12, 1.25e-12}) {
-    LimitScene s(Vec3<double>(3, 0, -4), 0, 0.5, 0.5, 0.125);
+    SmallScene s(Vec3<double>(3, 0, -4), 0, 0.5, 0.5, 0.125);
     s.scene.friction_law = FrictionLaw::coulomb;
     s.floor().add(Vec3<double>(4, 4, 1), Vec3<double>(0, 0, 0.5), Vec3<double>(1, part * 4 / 3, 0));
     EXPECT_EQ(s.run().handed_over.size(), part < 1e-12 ? 0u : 1u);
@@ -134,7 +113,7 @@ TEST(Located, TheBoundOfASlideInLineIsSharp) {
 TEST(LocatedPairs, AnEdgeThatTouchesAtRestIsNotHit) {
   const Vec3<double> down(0, 0, -0.5), turn(0, 1, 0), along(8, 0, 0);
   const auto hit = [&](const Vec3<double>& v_A, const Vec3<double>& w_A, const Vec3<double>& v_B, const Vec3<double>& w_B, bool mirrored) {
-    LimitScene s(weightless, 1, 0, 0, 0.125);
+    SmallScene s(weightless, 1, 0, 0, 0.125);
     s.add(edge_one, zero3<double>(), v_A, w_A).add(edge_one, Vec3<double>(0, 0, 1), v_B, w_B);
     const RunSummary summary = s.run();
     EXPECT_TRUE(summary.handed_over.empty());
@@ -151,25 +130,12 @@ TEST(LocatedPairs, AnEdgeThatTouchesAtRestIsNotHit) {
   hit(Vec3<double>(-down), turn, zero3<double>(), zero3<double>(), true);
 }
 
-// In the floor they begin in the stepper, whose first step of 1/8 s would carry them past each other: gap 3 m, closing at 64 m/s. The
-// step is cut a quarter of an edge later, at 3/64 + 1/256 s; there they are put side by side, velocities exchanged.
-TEST(LocatedPairs, TheFirstStepIsWatchedFromTheBeginning) {
-  LimitScene s(weightless, 1, 0, 0, 2);
-  s.scene.dt = 0.125;
-  s.floor().add(edge_one, Vec3<double>(-2, 0, 0.49), Vec3<double>(32, 0, 0)).add(edge_one, Vec3<double>(2, 0, 0.49), Vec3<double>(-32, 0, 0));
-  const RunSummary summary = s.run();
-  EXPECT_EQ(summary.ledger.pair_impacts, 1);
-  const double left = 2 - 3.0 / 64 - 1.0 / 256;
-  EXPECT_EQ(s.end[0].p_WB, Vec3<double>(-0.5 - 32 * left, 0, 0.5));
-  EXPECT_EQ(s.end[1].p_WB, Vec3<double>(0.5 + 32 * left, 0, 0.5));
-}
-
 // One is pushed out of the floor by 1/8 m in the first step and then touches its neighbour: a gap of exactly 0, by a face or by a corner
 // (2² + 4² + 4² = 6², where the spheres around them touch too). The neighbour joins it once, and both stay.
 TEST(LocatedPairs, ANeighbourThatTouchesJoinsTheStepperOnce) {
   const Vec3<double> slab(2, 4, 4);
   for (const auto& [size, beside] : {std::pair{edge_one, Vec3<double>(1, 0, 0)}, {edge_one, Vec3<double>(0, 0, 1)}, {slab, slab}}) {
-    LimitScene s(weightless, 1, 0, 0, 1);
+    SmallScene s(weightless, 1, 0, 0, 1);
     const Vec3<double> place(0, 0, size[2] / 2);
     s.floor().add(size, Vec3<double>(0, 0, size[2] / 2 - 0.125)).add(size, Vec3<double>(place + beside));
     const RunSummary summary = s.run();
@@ -188,7 +154,7 @@ TEST(LocatedPairs, ANeighbourThatTouchesJoinsTheStepperOnce) {
 // At 1e15 m places are known to 2 m. Two that spin there 2 m apart, more than the spheres around them, are not taken for one that is met:
 // eight steps of each.
 TEST(LocatedPairs, OutOfReachNothingIsLookedAtHoweverFarAway) {
-  LimitScene s(weightless, 1, 0, 0, 1);
+  SmallScene s(weightless, 1, 0, 0, 1);
   s.scene.dt = 0.125;
   s.floor();
   for (const double x : {1e15, 1e15 + 2}) s.add(edge_one, Vec3<double>(x, 0, 0.49), zero3<double>(), Vec3<double>(0, 0, 10));
@@ -201,9 +167,9 @@ TEST(LocatedPairs, OutOfReachNothingIsLookedAtHoweverFarAway) {
 // does not fall: the step is whole again, and until then it is shown where it was.
 TEST(LocatedPairs, TheSwitchMakesACutStepWholeAgain) {
   for (const bool switched : {false, true}) {
-    LimitScene s(Vec3<double>(0, 0, -64), 0.5, 0, 0, 0.9);
+    SmallScene s(Vec3<double>(0, 0, -64), 0.5, 0, 0, 0.9);
     s.scene.dt = 1;
-    s.floor().wall(zero3<double>(), Vec3<double>(1, 0, 0)).add(edge_one, Vec3<double>(0.499, 0, 9.5)).add(edge_one, Vec3<double>(0.6, 0, 0.5));
+    s.floor().plane(zero3<double>(), Vec3<double>(1, 0, 0)).add(edge_one, Vec3<double>(0.499, 0, 9.5)).add(edge_one, Vec3<double>(0.6, 0, 0.5));
     if (switched) s.scene.actions = {{0.125, SceneAction::Do::gravity_off}};
     const RunSummary summary = s.run();
     EXPECT_EQ(summary.handed_over.size(), switched ? 1u : 2u);
@@ -214,9 +180,9 @@ TEST(LocatedPairs, TheSwitchMakesACutStepWholeAgain) {
 // Pairs are looked at in order of index, each in what the ones before have left of the step: 0 meets 3 after 8 m at 12 m/s, and what is
 // left ends 1/48 s later; within that 1 falls 1.5 m onto 2, at a speed bounded by the fall in what is left.
 TEST(LocatedPairs, AStepIsCutInOrderOfIndex) {
-  LimitScene s(Vec3<double>(0, 0, -8), 0.5, 0, 0, 0.9);
+  SmallScene s(Vec3<double>(0, 0, -8), 0.5, 0, 0, 0.9);
   s.scene.dt = 1;
-  s.floor().wall(zero3<double>(), Vec3<double>(1, 0, 0));
+  s.floor().plane(zero3<double>(), Vec3<double>(1, 0, 0));
   s.add(edge_one, Vec3<double>(0.499, 0, 20)).add(edge_one, Vec3<double>(0.499, 20, 3));
   s.add(edge_one, Vec3<double>(0.6, 20, 0.5)).add(edge_one, Vec3<double>(0.499, -9, 20), Vec3<double>(0, 12, 0));
   const RunSummary summary = s.run();

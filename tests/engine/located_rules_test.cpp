@@ -4,34 +4,16 @@
 
 #include <cmath>
 #include <numbers>
-#include <rigor/engine/located.hpp>
 #include <rigor/engine/pair_search.hpp>
 #include <rigor/engine/plane_search.hpp>
 #include <rigor/linalg/rotation.hpp>
+#include <tests/engine/small_scene.hpp>
 
 namespace rigor {
 namespace {
 
-struct RuleScene {
-  Scene scene;
-  std::vector<State<double>> end;
-  explicit RuleScene(double until, double e = 1, double mu_s = 0, double mu_d = 0) {
-    scene.method = "located", scene.gravity = zero3<double>(), scene.until = scene.every = until, scene.dt = 1.0 / 64;
-    scene.surface = *Surface<double>::make(e, mu_s, mu_d), scene.friction_law = FrictionLaw::sheet;
-  }
-  void plane(const Vec3<double>& at, const Vec3<double>& n) { scene.planes.push_back(*Plane<double>::make(at, n)); }
-  void floor() { plane(zero3<double>(), Vec3<double>(0, 0, 1)); }
-  State<double>& add(const Vec3<double>& size, const Vec3<double>& p, const Vec3<double>& v = zero3<double>(), const Vec3<double>& w = zero3<double>()) {
-    State<double> s;
-    s.p_WB = p, s.v_WB = v, s.w_WB = w;
-    scene.bodies.push_back({*Cuboid<double>::make(1, size), s});
-    return scene.bodies.back().start;
-  }
-  RunSummary run() {
-    const auto done = simulate_located(scene, [&](double, const std::vector<State<double>>& states) { end = states; });
-    EXPECT_TRUE(done);
-    return *done;
-  }
+struct RuleScene : SmallScene {
+  explicit RuleScene(double until, double e = 1, double mu_s = 0, double mu_d = 0) : SmallScene(zero3<double>(), e, mu_s, mu_d, until) {}
 };
 const Vec3<double> rule_cube(1, 1, 1);
 const double rule_diagonal = std::sqrt(3.0);
@@ -113,7 +95,7 @@ TEST(Located, CornersWithinSixtyFourRoundingsAreOneContact) {
   for (const double roundings : {63.5, 64.5}) {
     RuleScene x(0.125, 0.5);
     x.floor();
-    State<double>& s = x.add(rule_cube, Vec3<double>(0, 0, 0.5), Vec3<double>(0, 0, -1));
+    State<double>& s = x.add(rule_cube, Vec3<double>(0, 0, 0.5), Vec3<double>(0, 0, -1)).start();
     const auto gaps = [&] { return corner_gaps(x.scene.bodies[0].shape, s, x.scene.planes[0]); };
     const double tilt = roundings * gaps().rounding;  // of an edge of 1 m
     s.R_WB = exp_so3<double>(Vec3<double>(0, tilt, 0));
@@ -194,7 +176,7 @@ TEST(LocatedPairs, TheManifoldIsThatOfATenBillionthOfTheEdge) {
   for (const double tilt : {0.9e-10, 1.1e-10}) {
     RuleScene x(1.125);
     x.add(rule_cube, zero3<double>());
-    x.add(rule_cube, Vec3<double>(0, 0, 2 + tilt / 2), Vec3<double>(0, 0, -1)).R_WB = exp_so3<double>(Vec3<double>(0, tilt, 0));
+    x.add(rule_cube, Vec3<double>(0, 0, 2 + tilt / 2), Vec3<double>(0, 0, -1)).start().R_WB = exp_so3<double>(Vec3<double>(0, tilt, 0));
     x.run();
     if (tilt < 1e-10) {
       EXPECT_LT(norm<double>(x.end[1].w_WB), 1e-9);
@@ -258,7 +240,7 @@ TEST(LocatedPairs, AFallOfManySizesWithinAStepIsWatched) {
 TEST(Located, ACornerThatLandsAtTheEndOfTheRunIsFound) {
   RuleScene x(1);
   x.floor();
-  State<double>& s = x.add(Vec3<double>(2, 4, 4), Vec3<double>(0, 0, 4), Vec3<double>(0, 0, -1));
+  State<double>& s = x.add(Vec3<double>(2, 4, 4), Vec3<double>(0, 0, 4), Vec3<double>(0, 0, -1)).start();
   s.R_WB.row(0) = Vec3<double>(2, 1, -2) / 3, s.R_WB.row(1) = Vec3<double>(-2, 2, -1) / 3, s.R_WB.row(2) = Vec3<double>(1, 2, 2) / 3;
   EXPECT_EQ(x.run().ledger.impacts, 1);
   EXPECT_NEAR(x.end[0].v_WB[2], 1, 1e-12);

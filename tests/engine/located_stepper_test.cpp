@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <rigor/engine/located.hpp>
 #include <rigor/linalg/rotation.hpp>
-#include <rigor/scene/simulate.hpp>
+#include <tests/engine/small_scene.hpp>
 
 namespace rigor {
 namespace {
@@ -13,23 +12,8 @@ namespace {
 constexpr double fall = 9.81;
 
 // One cuboid begins a thousandth inside a wall, along which it moves, and so is in the stepper; the other flies.
-struct StepperScene {
-  Scene scene;
-  StepperScene(const Vec3<double>& gravity, double dt, double until) {
-    scene.method = "located", scene.gravity = gravity, scene.dt = dt, scene.until = until;
-    scene.surface = *Surface<double>::make(0.5, 0, 0);
-  }
-  void wall(const Vec3<double>& at, const Vec3<double>& n) { scene.planes.push_back(*Plane<double>::make(at, n)); }
-  void add(const Vec3<double>& size, const Vec3<double>& p, const Vec3<double>& v, const Vec3<double>& w = zero3<double>()) {
-    State<double> s;
-    s.p_WB = p, s.v_WB = v, s.w_WB = w;
-    scene.bodies.push_back({*Cuboid<double>::make(2, size), s});
-  }
-  RunSummary run() {
-    const auto done = simulate_located(scene, [](double, const auto&) {});
-    EXPECT_TRUE(done);
-    return *done;
-  }
+struct StepperScene : SmallScene {
+  StepperScene(const Vec3<double>& gravity, double dt, double until) : SmallScene(gravity, 0.5, 0, 0, until) { scene.dt = dt; }
   // When the second of them to be handed over is: at the end of the part of the step in which they meet.
   double joined() {
     const RunSummary summary = run();
@@ -48,7 +32,7 @@ TEST(LocatedPairs, AFallWithinAStepIsWatched) {
   for (const auto& [below, speed] : {std::pair{13., 12.5}, {6., 8.}})
     for (const bool flying_first : {false, true}) {
       StepperScene s(Vec3<double>(0, -fall, 0), 1, 0.99);
-      s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+      s.plane(zero3<double>(), Vec3<double>(1, 0, 0));
       if (!flying_first) s.add(unit_cube, in_wall, zero3<double>());
       s.add(unit_cube, Vec3<double>(0.6, -below, 0), Vec3<double>(0, speed, 0));
       if (flying_first) s.add(unit_cube, in_wall, zero3<double>());
@@ -61,7 +45,7 @@ TEST(LocatedPairs, AFallWithinAStepIsWatched) {
 TEST(LocatedPairs, AFlightThatBeganEarlierIsWatchedFromWhereItIs) {
   for (const double side : {1., -1.}) {
     StepperScene s(Vec3<double>(0, -fall, 0), 1, 1.99);
-    s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+    s.plane(zero3<double>(), Vec3<double>(1, 0, 0));
     s.add(unit_cube, in_wall, zero3<double>());
     s.add(unit_cube, Vec3<double>(0.6, side * 30.4, 0), Vec3<double>(0, -side * 15, 0));
     EXPECT_NEAR(s.joined(), 1 + 14.4 / 15 + 1 / (4 * 15.), 1e-9) << side;
@@ -71,8 +55,8 @@ TEST(LocatedPairs, AFlightThatBeganEarlierIsWatchedFromWhereItIs) {
 // Onto one at rest: it falls 1.5 m. The speed that bounds the rest of the step is the fall's at its end, g h.
 TEST(LocatedPairs, AFallOntoOneAtRestIsWatched) {
   StepperScene s(Vec3<double>(0, -fall, 0), 1, 0.99);
-  s.wall(zero3<double>(), Vec3<double>(1, 0, 0));
-  s.wall(Vec3<double>(0, -3, 0), Vec3<double>(0, 1, 0));
+  s.plane(zero3<double>(), Vec3<double>(1, 0, 0));
+  s.plane(Vec3<double>(0, -3, 0), Vec3<double>(0, 1, 0));
   s.add(unit_cube, in_wall, zero3<double>());
   s.add(unit_cube, Vec3<double>(0.6, -2.5, 0), zero3<double>());
   EXPECT_NEAR(s.joined(), std::sqrt(2 * 1.5 / fall) + 1 / (4 * fall), 1e-9);
@@ -82,11 +66,11 @@ TEST(LocatedPairs, AFallOntoOneAtRestIsWatched) {
 TEST(LocatedPairs, RodsThatMeetByTheirEndsAreWatched) {
   StepperScene past(zero3<double>(), 1, 0.99), ends(zero3<double>(), 1, 0.99);
   const Vec3<double> upright(0.2, 0.3, 2.9), along(2.9, 0.3, 0.2);
-  past.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  past.plane(zero3<double>(), Vec3<double>(0, 1, 0));
   past.add(upright, Vec3<double>(0, 0.149, 0), Vec3<double>(8, 0, 0));
   past.add(upright, Vec3<double>(6, 0.2, 2.85), zero3<double>());
   EXPECT_NEAR(past.joined(), 5.8 / 8 + 0.2 / (4 * 8), 1e-9);
-  ends.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  ends.plane(zero3<double>(), Vec3<double>(0, 1, 0));
   ends.add(along, Vec3<double>(0, 0.149, 0), Vec3<double>(8, 0, 0));
   ends.add(along, Vec3<double>(2.9 + 7.76, 0.2, 0), zero3<double>());
   EXPECT_NEAR(ends.joined(), 0.97 + 0.2 / (4 * 8), 1e-9);
@@ -98,7 +82,7 @@ TEST(LocatedPairs, ATurnWithinAStepIsWatched) {
   StepperScene s(zero3<double>(), 1, 1.5);
   const Vec3<double> rod(2.8, 0.5, 0.4);
   const double bound = 8.5e-3, spin = bound * std::sqrt((0.5 * 0.5 + 0.4 * 0.4) / (2.8 * 2.8 + 0.5 * 0.5)), fastest = bound * norm<double>(rod) / 2;
-  s.wall(zero3<double>(), Vec3<double>(0, 0, 1));
+  s.plane(zero3<double>(), Vec3<double>(0, 0, 1));
   s.add(rod, Vec3<double>(0, 0, 0.199), zero3<double>(), Vec3<double>(0, 0, spin));
   s.add(Vec3<double>(1, 0.02, 1), Vec3<double>(1.4, 0.25 + 0.001 + 0.01, 0.6), zero3<double>());
   // the corner (1.4, 0.25) is at 0.251 where 1.4 sin a + 0.25 cos a = 0.251
@@ -110,7 +94,7 @@ TEST(LocatedPairs, ATurnWithinAStepIsWatched) {
 // was made, and its advances are counted.
 TEST(LocatedPairs, TipsThatPassAreLookedAt) {
   StepperScene s(zero3<double>(), 1, 0.99);
-  s.wall(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
+  s.plane(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
   s.add(unit_cube, Vec3<double>(4, 1000, 0.9998 * diagonal), zero3<double>());
   for (SceneBody& b : s.scene.bodies) b.start.R_WB = tip_up;
@@ -123,7 +107,7 @@ TEST(LocatedPairs, TipsThatPassAreLookedAt) {
 // A tip passes a grain: 4 m on, within the outermost 6e-4 of half its diagonal.
 TEST(LocatedPairs, ATipThatPassesAGrainIsWatched) {
   StepperScene s(zero3<double>(), 1, 0.99);
-  s.wall(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
+  s.plane(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
   s.scene.bodies[0].start.R_WB = tip_up;
   const double grain = 1e-4 * diagonal;
@@ -134,7 +118,7 @@ TEST(LocatedPairs, ATipThatPassesAGrainIsWatched) {
 // The floor lifts a tip by 9e-4 of the diagonal at the end of a step, into a grain that hovers 8e-4 above where the tip was.
 TEST(LocatedPairs, WhoIsLiftedOutOfItsPathIsLookedAtThere) {
   StepperScene s(zero3<double>(), 1, 1.5);
-  s.wall(Vec3<double>(0, 0, (9e-4 - 0.5) * diagonal), Vec3<double>(0, 0, 1));
+  s.plane(Vec3<double>(0, 0, (9e-4 - 0.5) * diagonal), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
   s.scene.bodies[0].start.R_WB = tip_up;
   const double grain = 1e-4 * diagonal;
@@ -146,22 +130,21 @@ TEST(LocatedPairs, WhoIsLiftedOutOfItsPathIsLookedAtThere) {
 // stands 1 mm in the floor: in the same step each of the two gives way by half of the eighth they overlap by.
 TEST(LocatedPairs, WhoIsPushedIntoAThirdIsLookedAtThere) {
   StepperScene s(zero3<double>(), 1, 1.5);
-  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  s.plane(zero3<double>(), Vec3<double>(0, 1, 0));
   const double in_another = 0x1p-6, pushed = (1 - in_another) / 2, third = -pushed - 1 + 0.125;
   s.add(unit_cube, Vec3<double>(0, 0.75, 0), zero3<double>());
   s.add(unit_cube, Vec3<double>(in_another, 0.75, 0), zero3<double>());
   s.add(unit_cube, Vec3<double>(third, 0.499, 0), zero3<double>());
-  std::vector<State<double>> end;
-  ASSERT_TRUE(simulate_located(s.scene, [&](double, const std::vector<State<double>>& states) { end = states; }));
-  EXPECT_NEAR(end[0].p_WB[0], -pushed + 0.0625, 1e-15);
-  EXPECT_NEAR(end[1].p_WB[0], in_another + pushed, 1e-15);
-  EXPECT_NEAR(end[2].p_WB[0], third - 0.0625, 1e-15);
+  s.run();
+  EXPECT_NEAR(s.end[0].p_WB[0], -pushed + 0.0625, 1e-15);
+  EXPECT_NEAR(s.end[1].p_WB[0], in_another + pushed, 1e-15);
+  EXPECT_NEAR(s.end[2].p_WB[0], third - 0.0625, 1e-15);
 }
 
 // It leaves the plane with its first step; ten steps in which it met nothing later it flies. The next time it is ten steps again.
 TEST(LocatedPairs, FliesAfterTenStepsThatMetNothing) {
   StepperScene s(zero3<double>(), 0.01, 1);
-  s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  s.plane(zero3<double>(), Vec3<double>(0, 1, 0));
   s.add(unit_cube, Vec3<double>(0, 0.49, 0), Vec3<double>(0, 10, 0));
   const RunSummary once = s.run();
   ASSERT_EQ(once.handed_over.size(), 1u);
@@ -178,7 +161,7 @@ TEST(LocatedPairs, FliesAfterTenStepsThatMetNothing) {
 // The run says so when a number leaves the range, at once: before a step, and in one.
 TEST(LocatedPairs, ANumberThatLeavesTheRangeEndsTheRun) {
   StepperScene at_once(zero3<double>(), 10, 1);  // an impulse of 1.5e350 kg m/s
-  at_once.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+  at_once.plane(zero3<double>(), Vec3<double>(0, 1, 0));
   at_once.add(unit_cube, Vec3<double>(0, 0.5, 0), Vec3<double>(0, -1e150, 0));
   at_once.scene.bodies[0].shape = *Cuboid<double>::make(1e200, unit_cube);
   const RunSummary summary = at_once.run();
@@ -188,7 +171,7 @@ TEST(LocatedPairs, ANumberThatLeavesTheRangeEndsTheRun) {
   EXPECT_EQ(summary.t_end, 0);
   StepperScene in_a_step(zero3<double>(), 10, 15);
   in_a_step.scene.every = 1;
-  in_a_step.wall(zero3<double>(), Vec3<double>(1, 0, 0));
+  in_a_step.plane(zero3<double>(), Vec3<double>(1, 0, 0));
   in_a_step.add(unit_cube, in_wall, Vec3<double>(0, 1.7e308, 0));
   EXPECT_FALSE(in_a_step.run().finite);
   EXPECT_EQ(in_a_step.run().t_end, 10);
@@ -205,7 +188,7 @@ TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
   for (const double edge : {1., 0x1p-10, 0x1p10})
     for (const double apart : {0.5, 1 - 1.1e-9, 1 - 0.9e-9, 1., 1.25}) {
       StepperScene s(Vec3<double>(0, -8 * edge, 0), 1.0 / 64, 1);
-      s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+      s.plane(zero3<double>(), Vec3<double>(0, 1, 0));
       s.add(edge * unit_cube, Vec3<double>(0, 0.5 * edge, 0), zero3<double>());
       s.add(edge * unit_cube, edge * Vec3<double>(apart, 0.5, 1.0 / 64), zero3<double>());
       const RunSummary summary = s.run();
@@ -225,7 +208,7 @@ TEST(LocatedPairs, RestingOnesThatOverlapAreHandedOver) {
 TEST(LocatedPairs, RestingOnesWhosePlacesAreRoundedTooFarAreHandedOver) {
   const auto at = [](double far, double overlap) {
     StepperScene s(Vec3<double>(0, -8, 0), 1.0 / 64, 1);
-    s.wall(zero3<double>(), Vec3<double>(0, 1, 0));
+    s.plane(zero3<double>(), Vec3<double>(0, 1, 0));
     s.add(unit_cube, Vec3<double>(far, 0.5, 0), zero3<double>());
     s.add(unit_cube, Vec3<double>(far + 1 - overlap, 0.5, 1.0 / 64), zero3<double>());
     const RunSummary summary = s.run();
