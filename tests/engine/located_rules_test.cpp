@@ -8,6 +8,7 @@
 #include <rigor/engine/plane_search.hpp>
 #include <rigor/linalg/rotation.hpp>
 #include <tests/engine/small_scene.hpp>
+#include <tuple>
 
 namespace rigor {
 namespace {
@@ -204,23 +205,26 @@ TEST(LocatedPairs, WhoMeetFarAwayAreHandedOverForTheRoundingOfTheirPlaces) {
   }
 }
 
-// "a millionth of the smallest edge": from 1 m above one that does not yield, at rest on the floor, it bounces with 4/2^m m/s, for 2^-m s.
-// After the bounce m = 22, in which √(g s) would carry it by 0.7 of a millionth, they are handed over.
+// "less than a millionth of the smallest edge": from 1 m above one that does not yield, at rest on the floor, it bounces with 4/2^m m/s,
+// for 2^-m s. After the bounce m = 22, in which √(g s) would carry it by 0.7 of a millionth, they are handed over; after one more where
+// one of the two spins so fast that its corners would go as far again. A speed they have in common is none.
 TEST(LocatedPairs, ABounceOfLessThanAMillionthOfAnEdgeIsAPersistentContact) {
-  for (const double edge : {1., 0x1p-10, 0x1p10}) {
-    RuleScene x(2, 0.5);
-    x.scene.gravity = Vec3<double>(0, 0, -8 * edge);
-    x.floor();
-    x.add(edge * rule_cube, Vec3<double>(0, 0, 0.5 * edge));
-    x.add(edge * rule_cube, Vec3<double>(0.125 * edge, 0, 2.5 * edge));
-    x.scene.bodies[0].shape = *Cuboid<double>::make(1e15, edge * Vec3<double>(4, 4, 1));
-    const RunSummary summary = x.run();
-    ASSERT_EQ(summary.handed_over.size(), 2u) << edge;
-    for (const HandOver& handed : summary.handed_over) {
-      EXPECT_EQ(handed.why, std::string("a persistent contact of two cuboids")) << edge;
-      EXPECT_NEAR(handed.from, 1.5 - 0x1p-22, 0x1p-25) << edge;
+  for (const double edge : {1., 0x1p-10, 0x1p10})
+    for (const auto& [drift, spin_below, spin_above] : {std::tuple{0., 0., 0.}, {10., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}) {
+      RuleScene x(2, 0.5);
+      x.scene.gravity = Vec3<double>(0, 0, -8 * edge);
+      x.floor();
+      const Vec3<double> below(4, 4, 1), up(0, 0, 1), along(drift * edge, 0, 0);
+      x.add(edge * rule_cube, Vec3<double>(0, 0, 0.5 * edge), along, spin_below * std::sqrt(8) / norm<double>(below) * up);
+      x.add(edge * rule_cube, Vec3<double>(0.125 * edge, 0, 2.5 * edge), along, spin_above * std::sqrt(8) / rule_diagonal * up);
+      x.scene.bodies[0].shape = *Cuboid<double>::make(1e15, edge * below);
+      const RunSummary summary = x.run();
+      ASSERT_EQ(summary.handed_over.size(), 2u) << edge;
+      for (const HandOver& handed : summary.handed_over) {
+        EXPECT_EQ(handed.why, std::string("a persistent contact of two cuboids")) << edge;
+        EXPECT_NEAR(handed.from, 1.5 - (spin_below + spin_above > 0 ? 0x1p-23 : 0x1p-22), 0x1p-24) << "half the last bounce: " << edge << ' ' << drift << ' ' << spin_below;
+      }
     }
-  }
 }
 
 // "with the fall to spare": in a step of four seconds both fall by up to 64 m. One comes from 29 m below at 12.5 m/s, as one falls

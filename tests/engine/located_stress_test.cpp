@@ -279,6 +279,30 @@ TEST(LocatedStress, NothingTunnels) {
   EXPECT_NEAR(end[1].v_WB[1], 1e6, 1e-8);
   EXPECT_NEAR(end[1].p_WB[1], 5, 1e-5) << "20 - 25 m, turned back at the floor, two thicknesses off";
 }
+// From 3e13 sizes away, which rounds its place by a tenth of a size, one of two meets the other where times a unit in the last place
+// apart are a hundredth of a size apart: now a little before they overlap, and that is an impact, now a little after, and it cannot be
+// said what touches what.
+TEST(LocatedStress, WhoOverlapByARoundingHaveThatReason) {
+  for (const double size : {1., 0x1p-10, 0x1p10}) {
+    int hit = 0, told = 0;
+    for (int k = 0; k < 40; ++k) {
+      Scene s;
+      s.method = "located", s.gravity = zero3<double>(), s.until = s.every = 6e6;
+      s.surface = *Surface<double>::make(1, 0, 0);
+      State<double> a, b;
+      a.p_WB = V(-3e13 * (1 + 0.013 * k) * size, 0, 0), a.v_WB = V(1e7 * size, 0, 0);
+      b.p_WB = V(0, 0.1 * size, 0.05 * size);
+      const auto cube = *Cuboid<double>::make(1, {size, size, size});
+      s.bodies = {{cube, a}, {cube, b}};
+      const auto run = simulate_located(s, [](double, const std::vector<State<double>>&) {});
+      ASSERT_TRUE(run);
+      hit += run->handed_over.empty(), told += !run->handed_over.empty();
+      for (const HandOver& h : run->handed_over) EXPECT_EQ(h.why, "flew so far that its place is rounded by a thousandth of its smallest edge") << size;
+    }
+    EXPECT_GT(hit, 0) << size;
+    EXPECT_GT(told, 0) << size;
+  }
+}
 // Two cubes of which one comes from up to 1e18 sizes away, at 1e3 to 1e9 m/s, a tenth of a size off the middle: they meet; or, where
 // places are rounded by the size of what should meet, the pair is named or handed over with that reason.
 TEST(LocatedStress, NothingTunnelsFromFarAway) {
