@@ -90,8 +90,20 @@ TEST(LocatedPairs, ATurnWithinAStepIsWatched) {
   EXPECT_NEAR(s.joined(), angle / spin + 0.02 / (4 * fastest), 1e-7);
 }
 
-// Corner past corner: the tips of two diagonals overlap by 2e-4 of a diagonal. They have parted when a part would end, yet the search
-// was made, and its advances are counted.
+// Side by side, 0.2 m apart, one passes another within a step: the search that says so is counted by its advances.
+TEST(LocatedPairs, WhoPassEachOtherAreLookedAt) {
+  StepperScene s(zero3<double>(), 1, 0.99);
+  s.plane(Vec3<double>(0, 0, -0.499), Vec3<double>(0, 0, 1));
+  s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
+  s.add(unit_cube, Vec3<double>(4, 1000, 0.3), zero3<double>());
+  const long apart = s.run().steps;
+  s.start().p_WB[1] = 1.2;
+  EXPECT_GT(s.run().steps, apart);
+  EXPECT_EQ(s.run().handed_over.size(), 1u);
+}
+
+// Corner past corner: the tips of two diagonals overlap by 2e-4 of a diagonal. They have parted when a part would end, yet the step is
+// cut for them.
 TEST(LocatedPairs, TipsThatPassAreLookedAt) {
   StepperScene s(zero3<double>(), 1, 0.99);
   s.plane(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
@@ -99,8 +111,7 @@ TEST(LocatedPairs, TipsThatPassAreLookedAt) {
   s.add(unit_cube, Vec3<double>(4, 1000, 0.9998 * diagonal), zero3<double>());
   for (SceneBody& b : s.scene.bodies) b.start.R_WB = tip_up;
   const long apart = s.run().steps;
-  s.scene.bodies[1].start.p_WB[1] = 0;
-  EXPECT_NEAR(apply<double>(tip_up, Vec3<double>(1, 1, 1))[2], diagonal, 1e-14);
+  s.start().p_WB[1] = 0;
   EXPECT_GT(s.run().steps, apart);
 }
 
@@ -109,7 +120,8 @@ TEST(LocatedPairs, ATipThatPassesAGrainIsWatched) {
   StepperScene s(zero3<double>(), 1, 0.99);
   s.plane(Vec3<double>(0, 0, -diagonal / 2 + 1e-3), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
-  s.scene.bodies[0].start.R_WB = tip_up;
+  s.start().R_WB = tip_up;
+  EXPECT_NEAR(apply<double>(tip_up, Vec3<double>(1, 1, 1))[2], diagonal, 1e-14);
   const double grain = 1e-4 * diagonal;
   s.add(Vec3<double>(grain, grain, grain), Vec3<double>(4, 0, 0.4998 * diagonal), zero3<double>());
   EXPECT_NEAR(s.joined(), 0.5, 1e-3 / 8);  // a diagonal times 2.5e-4 √2 before its middle at the most
@@ -120,7 +132,7 @@ TEST(LocatedPairs, WhoIsLiftedOutOfItsPathIsLookedAtThere) {
   StepperScene s(zero3<double>(), 1, 1.5);
   s.plane(Vec3<double>(0, 0, (9e-4 - 0.5) * diagonal), Vec3<double>(0, 0, 1));
   s.add(unit_cube, zero3<double>(), Vec3<double>(8, 0, 0));
-  s.scene.bodies[0].start.R_WB = tip_up;
+  s.start().R_WB = tip_up;
   const double grain = 1e-4 * diagonal;
   s.add(Vec3<double>(grain, grain, grain), Vec3<double>(8, 0, (0.5 + 8e-4) * diagonal), zero3<double>());
   EXPECT_EQ(s.joined(), 1);
