@@ -107,6 +107,22 @@ TEST(Located, TheBoundOfASlideInLineIsSharp) {
   }
 }
 
+// On the floor with a spin about the lower edge that stays, so that nothing is hit: it lies flat, and rests, up to a spin whose corners go
+// at 1e-12 of what gravity makes of a diagonal, √(g d).
+TEST(Located, TheBoundOfTheSpinOfWhatLiesFlatIsSharp) {
+  for (const double part : {0.75e-12, 1.25e-12}) {
+    const double diagonal = std::sqrt(3), spin = part * std::sqrt(8 * diagonal) / diagonal;
+    SmallScene s(Vec3<double>(0, 0, -8), 0.5, 0.5, 0.5, 0.125);
+    s.floor().add(edge_one, Vec3<double>(0, 0, 0.5), Vec3<double>(0, 0, spin / 2), Vec3<double>(0, spin, 0));
+    const RunSummary summary = s.run();
+    EXPECT_EQ(summary.handed_over.size(), part < 1e-12 ? 0u : 1u);
+    if (part < 1e-12) {
+      EXPECT_EQ(summary.ledger.impacts, 0);
+      EXPECT_EQ(s.end[0].w_WB, zero3<double>());
+    }
+  }
+}
+
 // B stands on A and turns about the edge x = -1/2 that stays: its lower corners have -1/2 - x. A's upper ones, where A turns, the same.
 // A hit at x = 1/2 with an approach of 1, 1/m + x²/I = 2.5 for each: j = 2/5; the other edges then approach at 0.4, j = 0.16.
 // Velocities -0.4 - 0.16 and -0.5 + 0.4 + 0.16, spins 1.2 - 0.48 and 1 - 1.2 + 0.48. An edge with a rate of exactly 0 is hit by nothing.
