@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <rigor/contact/impact.hpp>
 #include <rigor/formulas/friction_coulomb.hpp>
@@ -500,6 +501,79 @@ TEST(StrongeImpact, WithoutRestitutionIsTheEndOfCompressionOfTheProcess) {
     turned += process.v_t <= Q(0);
   }
   EXPECT_GT(turned, 10);
+}
+
+// K in axes t1, t2, n that stand anywhere.
+Mat3<Q> in_world(const Mat3<Q>& axes, const Mat3<Q>& K) { return axes * K * axes.transpose(); }
+
+FrictionImpact<double> stronge_of(const Mat3<Q>& K, const Vec3<Q>& v_r, const Vec3<Q>& n, const Q& e, const Q& mu) {
+  const auto rounded = [](const auto& x) { return x.unaryExpr([](const Q& q) { return double(q); }).eval(); };
+  return stronge_impulse(rounded(K), rounded(v_r), rounded(n), double(e), double(mu), double(mu));
+}
+
+// Without slip at first, and k_tn = κ s + μ K_tt s with κ > 0: friction cannot hold, |K_tt⁻¹ k_tn| > μ, and the slip starts along s, where
+// it stays, as its pull κ s does. All is linear in p then: p = (1 + e)|v_n|/(k_nn − μ k_tn·s), j = p (n − μ s). The directions go around
+// the circle, up to 60 degrees off k_tn to either side; the bound is the header's.
+// id: friction.stronge
+TEST(StrongeImpact, SlipsFromRestAlongTheDirectionThatDrawsItOn) {
+  Draw draw(70);
+  for (const auto& [x, y] : {std::pair{3L, 4L}, {4L, 3L}, {5L, 12L}, {12L, 5L}, {1L, 0L}})
+    for (const long side : {1L, -1L})
+      for (const long up : {1L, -1L})
+        for (const bool turned : {false, true}) {
+          const Q length = y == 0 ? Q(1) : x * y == 12 ? Q(5) : Q(13);
+          const Q c = Q(side * (turned ? y : x)) / length, s = Q(up * (turned ? x : y)) / length;
+          const Q e = draw.fraction(), mu = draw.fraction(), kappa = draw.positive() / Q(16), v_n = -draw.positive();
+          const Q k11 = Q(1) + draw.fraction(), k22 = Q(20) + draw.fraction(), k12 = draw.fraction() / Q(2);
+          const Q k1 = kappa * c + mu * (k11 * c + k12 * s), k2 = kappa * s + mu * (k12 * c + k22 * s);
+          const Q k_nn = Q(4) + Q(2) * (k1 * k1 + k2 * k2);
+          Mat3<Q> K;
+          K << k11, k12, k1, k12, k22, k2, k1, k2, k_nn;
+          const Mat3<Q> axes = draw.rotation();
+          const Vec3<Q> n = axes.col(2), along = c * axes.col(0) + s * axes.col(1);
+          const Q p = -(Q(1) + e) * v_n / (k_nn - mu * (k1 * c + k2 * s));
+          const Vec3<Q> j = p * (n - mu * along);
+          const Vec3<double> want{double(j[0]), double(j[1]), double(j[2])};
+          const Vec3<double> got = stronge_of(in_world(axes, K), v_n * n, n, e, mu).j_W;
+          EXPECT_LE((got - want).norm(), 1e-11 * want.norm()) << c << ' ' << s << " e " << e << " mu " << mu;
+        }
+}
+
+// K = diag(k, 2k, k_nn): dv1/dv2 = v1/(2 v2) along the slip, whichever speed it has, so v2/v1² stays, while the direction turns; and
+// nothing couples to n: p = (1 + e)|v_n|/k_nn.
+// id: friction.stronge
+TEST(StrongeImpact, SlipKeepsToItsParabola) {
+  Draw draw(71);
+  for (int i = 0; i < 40; ++i) {
+    const Q k = Q(1) + draw.fraction(), k_nn = (Q(1) + draw.fraction()) / Q(4), e = draw.fraction(), mu = Q(4) + draw.fraction();
+    const Q v_n = -Q(1) - draw.fraction(), loss = -mu * k * (Q(1) + e) * v_n / k_nn;  // more than v1 can lose
+    const Q v1 = loss * (Q(5, 4) + draw.fraction()), v2 = (i % 2 == 0 ? loss : -loss) * (Q(1) + draw.fraction());
+    Mat3<Q> K = zero33<Q>();
+    K(0, 0) = k, K(1, 1) = Q(2) * k, K(2, 2) = k_nn;
+    const Mat3<Q> axes = draw.rotation();
+    const Vec3<Q> n = axes.col(2), v_r = v1 * axes.col(0) + v2 * axes.col(1) + v_n * n;
+    const Vec3<double> j = stronge_of(in_world(axes, K), v_r, n, e, mu).j_W;
+    const auto component = [&](int a) { return double(axes(0, a)) * j[0] + double(axes(1, a)) * j[1] + double(axes(2, a)) * j[2]; };
+    const double p = -(1 + double(e)) * double(v_n) / double(k_nn), w1 = double(v1) + double(k) * component(0), w2 = double(v2) + 2 * double(k) * component(1);
+    ASSERT_GT(w1, 0.05 * double(v1)) << "still on its way";
+    EXPECT_LT(std::fabs(w2 / double(v2)), 0.95) << "and turned";
+    EXPECT_NEAR(component(2) / p, 1, 1e-11);
+    EXPECT_NEAR(w2 / (w1 * w1) * double(v1 * v1) / double(v2), 1, 1e-10) << "w1 is at least a twentieth: its error counts twenty times twice";
+  }
+}
+
+// "A slip below 16u |v_r| counts as none": across to the coupling, static friction then holds with an impulse that the coupling asks for,
+// j = K⁻¹ n (1 + e ..): here (-1, 2, 0) for a K of 1, 1 and 1/2; one that slips is held by nothing, mu_d = 0, and j = 3/2 n.
+// id: friction.stronge
+TEST(StrongeImpact, ASlipBelowSixteenRoundingsIsNone) {
+  Mat3<double> K = zero33<double>();
+  K << 1, 0.5, 0, 0.5, 1, 0, 0, 0, 1;
+  const Vec3<double> n(0, 1, 0);
+  for (const double part : {15.5, 16.5, 24.}) {
+    const auto impact = stronge_impulse(K, Vec3<double>(0, -1, part * 0x1p-53), n, 0.5, 1, 0);
+    const Vec3<double> want = part < 16 ? Vec3<double>(-1, 2, 0) : Vec3<double>(0, 1.5, 0);
+    EXPECT_LE((impact.j_W - want).norm(), 1e-11) << part << ": " << impact.j_W.transpose();
+  }
 }
 
 }  // namespace rigor
