@@ -112,7 +112,7 @@ TEST(Located, TheBoundOfASlideInLineIsSharp) {
 TEST(Located, TheBoundOfTheSpinOfWhatLiesFlatIsSharp) {
   for (const double part : {0.75e-12, 1.25e-12}) {
     const double diagonal = std::sqrt(3), spin = part * std::sqrt(8 * diagonal) / diagonal;
-    SmallScene s(Vec3<double>(0, 0, -8), 0.5, 0.5, 0.5, 0.125);
+    SmallScene s(Vec3<double>(0, 0, -8), 0.5, 0, 0, 0.125);
     s.floor().add(edge_one, Vec3<double>(0, 0, 0.5), Vec3<double>(0, 0, spin / 2), Vec3<double>(0, spin, 0));
     const RunSummary summary = s.run();
     EXPECT_EQ(summary.handed_over.size(), part < 1e-12 ? 0u : 1u);
